@@ -1,0 +1,34 @@
+"""The package's own errors: each says what was wrong, what was expected and what to do."""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+
+class UniteamError(Exception):
+    """Base of every error a user can cause; the command line prints it as one sentence and exits with code 2."""
+
+
+class UnknownNameError(UniteamError):
+    """A name that is not among the valid ones; the message offers the nearest."""
+
+    def __init__(self, kind: str, name: str, valid: Iterable[str]) -> None:
+        """Build the message.
+
+        Args:
+            kind: what the name names, in the singular ("agent", "split").
+            name: what was given.
+            valid: every name that would have been accepted.
+        """
+        names = sorted(valid)
+        nearest = get_close_matches(name, names, n=1, cutoff=0.4)
+        hint = f"did you mean '{nearest[0]}'? " if nearest else ""
+        shown = ", ".join(names[:30]) + (f" and {len(names) - 30} more" if len(names) > 30 else "")
+        super().__init__(f"unknown {kind} '{name}': {hint}Valid: {shown}.")
+
+
+class DamagedFileError(UniteamError):
+    """A file of the package or of the user that cannot be read as what it should be."""
+
+
+class InvalidInputError(UniteamError):
+    """A value of the wrong shape, type or range."""
