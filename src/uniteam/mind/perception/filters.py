@@ -1,0 +1,103 @@
+"""Which detections to believe: functions from a segmentation to one that holds only those.
+
+A filter drops detections and candidates; what is left is taken at its word: a detection is what its best candidate is.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from uniteam.interface import Detection, Instruction, Observation, Segmentation
+from uniteam.mind.perception.segments import change_detections, keep_detections
+from uniteam.mind.perception.vocabulary import ClassRole, roles_of, roles_of_name
+
+Filter = Callable[[Segmentation, Observation, Instruction], Segmentation]
+
+
+@dataclass(frozen=True)
+class Thresholds:
+    """The lowest score that is believed, by what a class is to the instruction, or by its name where that is known.
+
+    Attributes:
+        by_role: of the instruction's classes.
+        other: of every other class.
+        by_class: of single classes; goes before the others.
+    """
+
+    by_role: Mapping[ClassRole, float]
+    other: float
+    by_class: Mapping[str, float] = field(default_factory=dict)
+
+    @staticmethod
+    def single(threshold: float) -> "Thresholds":
+        """Return one threshold for everything, as HomeRobot's baseline has it."""
+        return Thresholds({role: threshold for role in ClassRole}, threshold)
+
+    def of(self, name: str, instruction: Instruction) -> float:
+        """Return the threshold of a class; the lowest of its roles' where it plays several."""
+        if name in self.by_class:
+            return self.by_class[name]
+        roles = roles_of_name(name, instruction)
+        return min((self.by_role[role] for role in roles), default=self.other)
+
+
+@dataclass(frozen=True)
+class ScoreFilter:
+    """Drops the candidates whose score is below their class's threshold, and the detections that have none left."""
+
+    thresholds: Thresholds
+
+    def __call__(self, segmentation: Segmentation, observation: Observation, instruction: Instruction) -> Segmentation:
+        """Return what is believed of the segmentation."""
+        believed = partial(self._believed, instruction=instruction)
+        return change_detections(segmentation, [believed(d) for d in segmentation.detections])
+
+    def _believed(self, detection: Detection, instruction: Instruction) -> Detection | None:
+        candidates = tuple(
+            (name, score) for name, score in detection.candidates if score >= self.thresholds.of(name, instruction)
+        )
+        return Detection(candidates, detection.embedding) if candidates else None
+
+
+@dataclass(frozen=True)
+class FloorFilter:
+    """Drops what lies on the floor: receptacles that end below a height, and objects that begin at it.
+
+    Attributes:
+        lowest_receptacle: a receptacle whose highest seen part is lower (m above the floor) is dropped.
+        lowest_object: an object whose lowest seen part is lower (m above the floor) is dropped.
+    """
+
+    lowest_receptacle: float = 0.15
+    lowest_object: float = 0.06
+
+    def __call__(self, segmentation: Segmentation, observation: Observation, instruction: Instruction) -> Segmentation:
+        """Return the segmentation without the instruction's classes that lie on the floor."""
+        indices = [i for i, d in enumerate(segmentation.detections) if roles_of(d, instruction)]
+        if not indices:
+            return segmentation
+        heights = _heights(observation)
+        keep = np.ones(len(segmentation.detections), dtype=bool)
+        for index in indices:
+            on_object = (segmentation.instances == index) & (observation.depth > 0)
+            keep[index] = self._stands_high(heights[on_object], roles_of(segmentation.detections[index], instruction))
+        return keep_detections(segmentation, keep)
+
+    def _stands_high(self, heights: NDArray[np.float32], roles: tuple[ClassRole, ...]) -> bool:
+        if heights.size == 0:
+            return True
+        if ClassRole.OBJECT in roles:
+            return bool(np.percentile(heights, 5) >= self.lowest_object)
+        return bool(np.percentile(heights, 95) >= self.lowest_receptacle)
+
+
+def _heights(observation: Observation) -> NDArray[np.float32]:
+    """Return the (H, W) height (m above the floor) of what each pixel shows."""
+    camera, to_start = observation.camera, observation.camera_to_start.astype(np.float32)
+    u = (np.arange(camera.width, dtype=np.float32) - np.float32(camera.cx)) / np.float32(camera.fx)
+    v = (np.arange(camera.height, dtype=np.float32) - np.float32(camera.cy)) / np.float32(camera.fy)
+    rising = to_start[2, 0] * u[None, :] + to_start[2, 1] * v[:, None] + to_start[2, 2]
+    return observation.depth * rising + to_start[2, 3]

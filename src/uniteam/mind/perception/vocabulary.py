@@ -1,0 +1,32 @@
+"""Which of the instruction's words a detection answers to: object, start receptacle, goal receptacle, or something else."""
+
+from enum import IntEnum
+
+from uniteam.interface import Detection, Instruction
+
+
+class ClassRole(IntEnum):
+    """What a class of things is to the instruction; the value is the index of its channel in the map."""
+
+    OBJECT = 0
+    START_RECEPTACLE = 1
+    GOAL_RECEPTACLE = 2
+
+
+def class_names(instruction: Instruction) -> dict[ClassRole, str]:
+    """Return the class that plays each role."""
+    return {
+        ClassRole.OBJECT: instruction.object_category,
+        ClassRole.START_RECEPTACLE: instruction.start_receptacle,
+        ClassRole.GOAL_RECEPTACLE: instruction.goal_receptacle,
+    }
+
+
+def roles_of_name(name: str, instruction: Instruction) -> tuple[ClassRole, ...]:
+    """Return every role of a class; two where start and goal receptacle are of one class, none for other things."""
+    return tuple(role for role, class_name in class_names(instruction).items() if class_name == name)
+
+
+def roles_of(detection: Detection, instruction: Instruction) -> tuple[ClassRole, ...]:
+    """Return every role of a detection, by its best candidate's name."""
+    return roles_of_name(detection.name, instruction)
