@@ -1,5 +1,6 @@
 """An episode: which home, where the robot starts, what it is asked, and what would count as done."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from uniteam.geometry import BasePose
@@ -22,8 +23,28 @@ class Candidate:
 
 
 @dataclass(frozen=True)
+class Certificate:
+    """One way to solve an episode, tried in the simulator when the episode was made.
+
+    Attributes:
+        object: name of the candidate object that was grasped.
+        grasp: where the base stood (world) before it entered manipulation mode and grasped.
+        receptacle: name of the goal receptacle it was put on.
+        release: where the base stood (world) before it entered manipulation mode and placed.
+        lift, arm: joint positions (m) at which the object was released.
+    """
+
+    object: str
+    grasp: BasePose
+    receptacle: str
+    release: BasePose
+    lift: float
+    arm: float
+
+
+@dataclass(frozen=True)
 class Episode:
-    """One certified task in one home.
+    """One task in one home.
 
     Attributes:
         id: unique in its split.
@@ -35,6 +56,7 @@ class Episode:
         goal_receptacles: every instance of the goal class that can be reached.
         unseen: whether the object's class occurs in no training home.
         seed: of every random choice made while it is played.
+        certificate: how it was solved when it was made; None in an episode that nobody certified.
     """
 
     id: str
@@ -46,6 +68,7 @@ class Episode:
     goal_receptacles: tuple[Candidate, ...]
     unseen: bool
     seed: int
+    certificate: Certificate | None = None
 
 
 @dataclass(frozen=True)
@@ -54,4 +77,4 @@ class Split:
 
     name: str
     episodes: tuple[Episode, ...]
-    homes: dict[str, Home]
+    homes: Mapping[str, Home]
