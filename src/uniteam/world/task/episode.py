@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from uniteam.geometry import BasePose
-from uniteam.interface import Instruction
+from uniteam.interface import Instruction, Joints
 from uniteam.world.assets.catalogue import Point2
 from uniteam.world.homes.home import Home
 
@@ -31,15 +31,14 @@ class Certificate:
         grasp: where the base stood (world) before it entered manipulation mode and grasped.
         receptacle: name of the goal receptacle it was put on.
         release: where the base stood (world) before it entered manipulation mode and placed.
-        lift, arm: joint positions (m) at which the object was released.
+        release_joints: at which the object was released.
     """
 
     object: str
     grasp: BasePose
     receptacle: str
     release: BasePose
-    lift: float
-    arm: float
+    release_joints: Joints
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from typing import Any
 
 from uniteam.errors import DamagedFileError, UnknownNameError
 from uniteam.geometry import BasePose
-from uniteam.interface import Instruction
+from uniteam.interface import Instruction, Joints
 from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Point2, load_catalogue
 from uniteam.world.homes.home import Home, home_from_data, home_to_data
 from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
@@ -161,7 +161,13 @@ def _decode_episode(data: dict[str, Any], homes: dict[str, Any], view_points: di
 
 
 def _decode_certificate(data: dict[str, Any]) -> Certificate:
-    return Certificate(**{**data, "grasp": BasePose(**data["grasp"]), "release": BasePose(**data["release"])})
+    return Certificate(
+        object=data["object"],
+        grasp=BasePose(**data["grasp"]),
+        receptacle=data["receptacle"],
+        release=BasePose(**data["release"]),
+        release_joints=Joints(**data["release_joints"]),
+    )
 
 
 def _check_categories(instruction: Instruction) -> None:
