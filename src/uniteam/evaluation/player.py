@@ -1,0 +1,79 @@
+"""What a worker process does: it opens the split once and plays the episodes it is handed."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import cv2
+
+from uniteam.errors import DamagedFileError, UnknownNameError
+from uniteam.evaluation.agents import AgentSpec
+from uniteam.evaluation.play import play_episode, result_of_exception
+from uniteam.evaluation.result import EpisodeResult
+from uniteam.geometry import PinholeCamera
+from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
+from uniteam.world.task.environment import Environment
+from uniteam.world.task.episode import Split
+from uniteam.world.task.splits import load_split
+
+CAMERAS = {"half": HEAD_CAMERA_HALF, "full": HEAD_CAMERA_FULL}
+
+
+def camera_named(name: str) -> PinholeCamera:
+    """Return the head camera at half or full size; raises UnknownNameError."""
+    if name not in CAMERAS:
+        raise UnknownNameError("camera", name, CAMERAS)
+    return CAMERAS[name]
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One agent's turn at one episode.
+
+    Attributes:
+        agent: the agent's label in the run.
+        episode: index of the episode in the split.
+    """
+
+    agent: str
+    episode: int
+
+
+class EpisodePlayer:
+    """Plays attempts at the episodes of one split."""
+
+    def __init__(self, split: Split, agents: Mapping[str, AgentSpec], camera: PinholeCamera) -> None:
+        self._split = split
+        self._agents = agents
+        self._camera = camera
+
+    def __call__(self, attempt: Attempt) -> EpisodeResult:
+        """Play an attempt; an exception becomes a result, but for a damaged file, which is no episode's fault."""
+        episode = self._split.episodes[attempt.episode]
+        spec = self._agents[attempt.agent]
+        steps = 0
+        try:
+            environment = Environment(self._split.homes[episode.home], episode, self._camera, spec.needs_truth)
+            try:
+                return play_episode(environment, spec.make(environment))
+            finally:
+                steps = environment.measures.num_steps
+        except DamagedFileError:
+            raise
+        except Exception as error:
+            return result_of_exception(episode, error, steps)
+
+
+@dataclass(frozen=True)
+class PlayerSetup:
+    """A recipe for an `EpisodePlayer` that can be sent to another process."""
+
+    split: str
+    agents: Mapping[str, AgentSpec]
+    camera: str
+
+    def __call__(self) -> EpisodePlayer:
+        """Open the split and play a few steps, so that what must be compiled is compiled."""
+        cv2.setNumThreads(1)
+        split = load_split(self.split)
+        player = EpisodePlayer(split, self.agents, camera_named(self.camera))
+        return player

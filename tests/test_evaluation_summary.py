@@ -1,0 +1,74 @@
+"""The figures of the table and their intervals."""
+
+import pytest
+
+from uniteam.evaluation.failure import explain_failure
+from uniteam.evaluation.intervals import estimate_mean, estimate_proportion, student_quantile
+from uniteam.evaluation.result import EpisodeResult
+from uniteam.evaluation.summary import summarize
+from uniteam.evaluation.table import challenge_table
+from uniteam.world.task.measures import Measures
+
+
+def result(measures: Measures, traceback: str = "") -> EpisodeResult:
+    return EpisodeResult("e", "h", "Move cup from table to sink", False, measures, "DONE", "", 1.0, 1.0, traceback)
+
+
+@pytest.mark.parametrize(
+    ("successes", "trials", "low", "high"),
+    [(0, 10, 0.0, 0.2775), (5, 10, 0.2366, 0.7634), (10, 10, 0.7225, 1.0), (81, 263, 0.2553, 0.3662)],
+)
+def test_wilsons_interval_is_the_published_one(successes: int, trials: int, low: float, high: float) -> None:
+    """The last row is the example of Newcombe (1998), Statistics in Medicine 17, table I."""
+    estimate = estimate_proportion(successes, trials)
+    assert estimate.mean == successes / trials
+    assert (estimate.low, estimate.high) == pytest.approx((low, high), abs=1e-4)
+
+
+@pytest.mark.parametrize(("degrees", "quantile"), [(1, 12.706), (2, 4.303), (3, 3.182), (9, 2.262), (399, 1.966)])
+def test_students_quantile_agrees_with_the_printed_tables(degrees: int, quantile: float) -> None:
+    assert student_quantile(degrees) == pytest.approx(quantile, rel=0.008)
+
+
+def test_a_means_interval_does_not_leave_what_is_possible() -> None:
+    estimate = estimate_mean([0.0, 0.0, 1.0], (0.0, 1.0))
+    assert estimate.mean == pytest.approx(1.0 / 3.0)
+    assert (estimate.low, estimate.high) == (0.0, 1.0)
+
+
+def test_one_value_says_nothing_of_the_spread() -> None:
+    assert (estimate_mean([300.0], (0.0, 1250.0)).low, estimate_mean([300.0], (0.0, 1250.0)).high) == (0.0, 1250.0)
+
+
+def test_a_summary_counts_a_crash_as_a_failure() -> None:
+    success = result(Measures(True, True, True, True, 0, 200, True))
+    touched = result(Measures(True, True, True, True, 3, 400, True))
+    crashed = result(Measures(num_steps=30), traceback="ValueError")
+    data = summarize([success, touched, crashed]).to_data()
+    assert data["episode_count"] == 3
+    assert data["crash_count"] == 1
+    assert data["overall_success"]["mean"] == pytest.approx(1 / 3)
+    assert data["place_success"]["mean"] == pytest.approx(2 / 3)
+    assert data["partial_success"]["mean"] == pytest.approx((1.0 + 0.75 + 0.0) / 3)
+    assert data["num_steps"]["mean"] == pytest.approx(210)
+    assert data["num_steps"]["low"] < 210 < data["num_steps"]["high"]
+
+
+def test_the_table_has_the_challenges_columns_and_says_what_it_is_from() -> None:
+    table = challenge_table({"uniteam": summarize([result(Measures(True, num_steps=9))])}, "split val, truth")
+    headings = [str(column.header) for column in table.columns]
+    assert headings == ["agent", "FindObj", "Pick", "FindRec", "Overall", "Partial", "Steps", "episodes"]
+    assert str(table.caption) == "split val, truth"
+    assert "100.0" in str(list(table.columns[1].cells))
+    assert "25.0" in str(list(table.columns[5].cells))
+
+
+def test_a_failure_is_explained_by_the_first_thing_missed() -> None:
+    stuck = Measures(find_object_phase_success=True, num_steps=1250)
+    sentence = explain_failure(stuck, "PICK", "The object is out of reach.")
+    assert sentence == (
+        "found the object but never grasped a candidate; ran out of steps after 1250 steps in PICK "
+        "(The object is out of reach)"
+    )
+    assert explain_failure(Measures(True, True, True, True, 0, 99, True), "DONE", "Done.") == ""
+    assert "touched the scene in 2 steps" in explain_failure(Measures(True, True, True, True, 2, 99, True), "DONE", "")
