@@ -1,0 +1,276 @@
+"""The bird's-eye-view map: what the robot has seen, from above, in the frame where it started."""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from uniteam.geometry import BasePose
+from uniteam.interface import Observation, Segmentation
+from uniteam.mind.mapping.class_role import ClassRole, RoleScores
+from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, Limits, Scratch, View, project
+from uniteam.stretch import ROBOT_HEIGHT
+
+Mask = NDArray[np.bool_]
+Cell = tuple[int, int]
+
+_REFERENCE_PIXELS = 240 * 320
+
+
+@dataclass(frozen=True)
+class MapConfig:
+    """How frames become cells; the defaults are those that HomeRobot ships for this task.
+
+    Attributes:
+        cell_size: m.
+        initial_size: side of the square map at the start (m); it doubles towards where more is needed.
+        min_depth, max_depth: depth along the optical axis that is mapped (m).
+        min_obstacle_height, max_obstacle_height: what lies between blocks the robot (m above the floor).
+        been_close_radius: the disc around the robot that it has been close to (m).
+        explored_radius: the disc around the robot that counts as explored, which its camera cannot see (m).
+        own_radius: points nearer than this to the base's axis are the robot itself (m).
+        min_solid_points, min_class_points: how many points of one frame make a cell an obstacle or one of a class, in a
+            frame of 240 x 320 pixels; they grow with the number of pixels.
+        probability_gain: how far the running probability of a class moves to the score of a new sighting.
+        probability_decay: the share it loses when the cell is seen again without the class.
+        class_depths: up to which depth each `ClassRole` is mapped (m). HomeRobot maps all to `max_depth`.
+    """
+
+    cell_size: float = 0.05
+    initial_size: float = 24.0
+    min_depth: float = 0.5
+    max_depth: float = 3.5
+    min_obstacle_height: float = 0.10
+    max_obstacle_height: float = ROBOT_HEIGHT
+    been_close_radius: float = 1.0
+    explored_radius: float = 0.5
+    own_radius: float = 0.3
+    min_solid_points: int = 3
+    min_class_points: int = 2
+    probability_gain: float = 0.3
+    probability_decay: float = 0.05
+    class_depths: tuple[float, float, float] = (3.5, 3.5, 3.5)
+
+    def limits(self, pixels: int) -> Limits:
+        """Return the kernel's limits for frames of so many pixels."""
+        scale = pixels / _REFERENCE_PIXELS
+        return Limits(
+            1.0 / self.cell_size,
+            self.min_depth,
+            self.max_depth,
+            np.array(self.class_depths, dtype=np.float32),
+            self.min_obstacle_height,
+            self.max_obstacle_height,
+            self.own_radius,
+            max(1, round(self.min_solid_points * scale)),
+            max(1, round(self.min_class_points * scale)),
+            self.probability_gain,
+            self.probability_decay,
+        )
+
+    @property
+    def reach(self) -> float:
+        """How far from the robot a frame may write (m)."""
+        return 1.5 * max(self.max_depth, self.max_obstacle_height, *self.class_depths)
+
+
+class BirdsEyeMap:
+    """Obstacles, what is explored, where the robot was, and where each class was seen: a grid in the start frame.
+
+    Row is y and column is x; all channels have the same (H, W) shape, which changes when the map grows: keep points,
+    not cells or masks, from one step to the next. Nothing clears an obstacle, as in HomeRobot. Update it in navigation
+    posture only: seen from another, the arm itself would be mapped.
+
+    Attributes:
+        obstacle: something between the obstacle heights was seen there (or a collision was written there).
+        explored: anything at all was seen there, or the robot stood within `explored_radius`.
+        visited: the robot's axis passed over it.
+        been_close: the robot stood within `been_close_radius`.
+        collision: a blocked motion left its mark there.
+        origin: (x, y) in the start frame (m) of the corner of cell [0, 0].
+        update_count: how many frames have been brought in.
+    """
+
+    obstacle: Mask
+    explored: Mask
+    visited: Mask
+    been_close: Mask
+    collision: Mask
+
+    def __init__(self, config: MapConfig | None = None) -> None:
+        """Begin with an empty map around the start."""
+        self.config = config or MapConfig()
+        half = round(self.config.initial_size / self.config.cell_size / 2)
+        shape = (2 * half, 2 * half)
+        self.origin = (-half * self.config.cell_size, -half * self.config.cell_size)
+        self.obstacle, self.explored, self.visited, self.been_close, self.collision = (
+            np.zeros(shape, dtype=np.bool_) for _ in range(5)
+        )
+        self._class_cells = np.zeros((ROLE_COUNT, *shape), dtype=np.bool_)
+        self._class_probability = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
+        self._class_height = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
+        self._scratch = _make_scratch(shape)
+        self._last_base: BasePose | None = None
+        self.update_count = 0
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """The number of rows and columns."""
+        return self.obstacle.shape[0], self.obstacle.shape[1]
+
+    @property
+    def cell_size(self) -> float:
+        """The side of a cell (m)."""
+        return self.config.cell_size
+
+    def class_cells(self, role: ClassRole) -> Mask:
+        """Return the (H, W) cells where the class was ever seen: HomeRobot's binary channel."""
+        return self._class_cells[role]
+
+    def class_probability(self, role: ClassRole) -> NDArray[np.float32]:
+        """Return the (H, W) running probability of the class.
+
+        The first sighting sets it to the detection's score; later ones pull it towards theirs by `probability_gain`;
+        each frame that shows the cell without the class takes `probability_decay` of it.
+        """
+        return self._class_probability[role]
+
+    def class_height(self, role: ClassRole) -> NDArray[np.float32]:
+        """Return the (H, W) greatest height (m) of the class at its last sighting; 0 where it was never seen."""
+        return self._class_height[role]
+
+    def object_on_start_receptacle(self) -> Mask:
+        """Return the (H, W) cells of the object at which the start receptacle was seen too, one cell's play allowed."""
+        receptacle = self.class_cells(ClassRole.START_RECEPTACLE).view(np.uint8)
+        return self.class_cells(ClassRole.OBJECT) & cv2.dilate(receptacle, disc(1)).view(np.bool_)
+
+    def to_cell(self, x: float, y: float) -> Cell:
+        """Return the (row, column) of a point of the start frame (m); it may lie outside the map."""
+        return math.floor((y - self.origin[1]) / self.cell_size), math.floor((x - self.origin[0]) / self.cell_size)
+
+    def to_point(self, row: float, column: float) -> tuple[float, float]:
+        """Return the (x, y) in the start frame (m) of a cell's centre."""
+        return self.origin[0] + (column + 0.5) * self.cell_size, self.origin[1] + (row + 0.5) * self.cell_size
+
+    def to_points(self, cells: NDArray[np.integer]) -> NDArray[np.float64]:
+        """Return the (K, 2) centres (x, y) in the start frame (m) of (K, 2) cells (row, column)."""
+        return np.asarray(self.origin) + (np.asarray(cells).reshape(-1, 2)[:, ::-1] + 0.5) * self.cell_size
+
+    def update(self, observation: Observation, segmentation: Segmentation, roles: RoleScores) -> None:
+        """Bring a frame into the map, and the robot's own place."""
+        base = observation.base_to_start
+        self._cover(base)
+        project(self._view(observation, segmentation, roles), self.config.limits(observation.depth.size),
+                self._scratch, self._channels())  # fmt: skip
+        self._mark_robot(base)
+        self.update_count += 1
+
+    def mark_collision(self, points: NDArray[np.floating]) -> None:
+        """Set the collision cells at (K, 2) points (x, y) of the start frame (m)."""
+        self._mark(self.collision, points)
+
+    def mark_obstacle(self, points: NDArray[np.floating]) -> None:
+        """Set the obstacle cells at (K, 2) points (x, y) of the start frame (m)."""
+        self._mark(self.obstacle, points)
+
+    def clear_collisions(self) -> None:
+        """Forget every collision cell."""
+        self.collision[:] = False
+
+    def forget_class(self, role: ClassRole, points: NDArray[np.floating], radius: float) -> None:
+        """Take a class off the cells within `radius` (m) of (K, 2) points: what was believed there proved wrong."""
+        for x, y in points:
+            near = disc_mask(self.shape, self.to_cell(x, y), round(radius / self.cell_size))
+            self._class_cells[role][near] = False
+            self._class_probability[role][near] = 0.0
+
+    def _mark(self, channel: Mask, points: NDArray[np.floating]) -> None:
+        for x, y in points:
+            row, column = self.to_cell(x, y)
+            if 0 <= row < self.shape[0] and 0 <= column < self.shape[1]:
+                channel[row, column] = True
+
+    def _channels(self) -> Channels:
+        return Channels(self.obstacle, self.explored, self._class_cells, self._class_probability, self._class_height)
+
+    def _view(self, observation: Observation, segmentation: Segmentation, roles: RoleScores) -> View:
+        camera = observation.camera
+        camera_to_grid = np.array(observation.camera_to_start[:3], dtype=np.float64)
+        camera_to_grid[:2, 3] -= self.origin
+        base = observation.base_to_start
+        scores = np.zeros((max(1, len(segmentation.detections)), ROLE_COUNT), dtype=np.float32)
+        for index, detection in enumerate(segmentation.detections):
+            scores[index] = roles(detection)
+        return View(
+            np.ascontiguousarray(observation.depth, dtype=np.float32),
+            np.ascontiguousarray(segmentation.instances, dtype=np.int16),
+            scores,
+            np.array([camera.fx, camera.fy, camera.cx, camera.cy], dtype=np.float32),
+            camera_to_grid.astype(np.float32),
+            np.array([base.x - self.origin[0], base.y - self.origin[1]], dtype=np.float32),
+        )
+
+    def _mark_robot(self, base: BasePose) -> None:
+        cell = self.to_cell(base.x, base.y)
+        last = self._last_base or base
+        start = self.to_cell(last.x, last.y)
+        cv2.line(self.visited.view(np.uint8), start[::-1], cell[::-1], color=1)
+        self._last_base = base
+        for channel, radius in (
+            (self.been_close, self.config.been_close_radius),
+            (self.explored, self.config.explored_radius),
+        ):
+            cv2.circle(channel.view(np.uint8), cell[::-1], round(radius / self.cell_size), color=1, thickness=-1)
+
+    def _cover(self, base: BasePose) -> None:
+        """Grow until everything in reach of the robot lies on the map."""
+        reach = round(self.config.reach / self.cell_size)
+        while True:
+            row, column = self.to_cell(base.x, base.y)
+            rows, columns = self.shape
+            low = (rows if row - reach < 0 else 0, columns if column - reach < 0 else 0)
+            high = (rows if row + reach >= rows and not low[0] else 0,
+                    columns if column + reach >= columns and not low[1] else 0)  # fmt: skip
+            if not any((*low, *high)):
+                return
+            self._grow(low, high)
+
+    def _grow(self, low: Cell, high: Cell) -> None:
+        """Add so many rows and columns before the first and after the last."""
+        pads = ((low[0], high[0]), (low[1], high[1]))
+        self.obstacle, self.explored, self.visited, self.been_close, self.collision = (
+            np.pad(channel, pads)
+            for channel in (self.obstacle, self.explored, self.visited, self.been_close, self.collision)
+        )
+        self._class_cells = np.pad(self._class_cells, ((0, 0), *pads))
+        self._class_probability = np.pad(self._class_probability, ((0, 0), *pads))
+        self._class_height = np.pad(self._class_height, ((0, 0), *pads))
+        self._scratch = _make_scratch(self.shape)
+        self.origin = (self.origin[0] - low[1] * self.cell_size, self.origin[1] - low[0] * self.cell_size)
+
+
+def _make_scratch(shape: tuple[int, int]) -> Scratch:
+    size = shape[0] * shape[1]
+    return Scratch(
+        np.zeros((size, COUNT_COLUMNS), dtype=np.int32),
+        np.zeros((size, ROLE_COUNT), dtype=np.float32),
+        np.zeros((size, ROLE_COUNT), dtype=np.float32),
+        np.zeros(size, dtype=np.int32),
+    )
+
+
+@lru_cache(maxsize=64)
+def disc(radius: int) -> NDArray[np.uint8]:
+    """Return the (2r + 1, 2r + 1) uint8 disc of a radius in cells, for dilations."""
+    offsets = np.arange(-radius, radius + 1)
+    return (offsets[:, None] ** 2 + offsets[None, :] ** 2 <= radius * radius).astype(np.uint8)
+
+
+def disc_mask(shape: tuple[int, int], centre: Cell, radius: int) -> Mask:
+    """Return the (H, W) mask of the cells within `radius` cells of a centre, which may lie outside."""
+    mask = np.zeros(shape, dtype=np.uint8)
+    cv2.circle(mask, (int(centre[1]), int(centre[0])), radius, color=1, thickness=-1)
+    return mask.view(np.bool_)

@@ -1,0 +1,84 @@
+"""What a blocked forward motion leaves on the map."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from uniteam.geometry import BasePose
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
+
+
+@dataclass(frozen=True)
+class BlockedMotion:
+    """A forward motion that got less far than it should.
+
+    Attributes:
+        base: where it began (start frame).
+        short_term_goal: (x, y) where it was to lead (m, start frame).
+        in_a_row: how many motions in a row have been blocked, this one included.
+    """
+
+    base: BasePose
+    short_term_goal: tuple[float, float]
+    in_a_row: int
+
+
+@dataclass(frozen=True)
+class CollisionMemory:
+    """How collisions are remembered.
+
+    Attributes:
+        write: writes a blocked motion into the map.
+        replan: called when no path was found, before the next attempt.
+    """
+
+    write: Callable[[BirdsEyeMap, BlockedMotion], None]
+    replan: Callable[[BirdsEyeMap], None]
+
+
+def write_patch_ahead(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
+    """Mark a small patch of collision cells 0.2 m ahead, wider when blocked again: HomeRobot's collision map."""
+    cell = bird_map.cell_size
+    width = min(2 * motion.in_a_row - 1, 5)
+    nearest, length = (4, 2) if motion.in_a_row < 3 else (3, 4)
+    bird_map.mark_collision(_patch(motion.base, cell, range(nearest, nearest + length), width))
+
+
+def forget_collisions(bird_map: BirdsEyeMap) -> None:
+    """Clear the collision cells, as HomeRobot does whenever it finds no path."""
+    bird_map.clear_collisions()
+
+
+def write_short_term_goal(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
+    """Write an obstacle at the last short-term goal, where the motion led: UniTeam's `collision_mapping`.
+
+    It stands in the obstacle map, so it is dilated as any obstacle and stays for good.
+    """
+    x, y = motion.short_term_goal
+    ahead = BasePose(motion.base.x, motion.base.y, math.atan2(y - motion.base.y, x - motion.base.x))
+    reach = max(4, round(motion.base.distance_to(x, y) / bird_map.cell_size))
+    points = _patch(ahead, bird_map.cell_size, range(reach, reach + 2), width=3)
+    bird_map.mark_obstacle(points)
+    bird_map.mark_collision(points)
+
+
+def keep_collisions(bird_map: BirdsEyeMap) -> None:
+    """Leave every collision where it is."""
+
+
+PATCH_UNTIL_REPLAN = CollisionMemory(write_patch_ahead, forget_collisions)
+"""The baseline's memory of collisions."""
+
+COLLISION_MAPPING = CollisionMemory(write_short_term_goal, keep_collisions)
+"""UniTeam's `collision_mapping`."""
+
+
+def _patch(base: BasePose, cell: float, ahead: range, width: int) -> NDArray[np.float64]:
+    """Return (K, 2) points (m, parent frame of the base) on a grid of cells ahead of a base, centred on its axis."""
+    forward = np.array([math.cos(base.heading), math.sin(base.heading)])
+    left = np.array([-forward[1], forward[0]])
+    sides = range(-(width // 2), width // 2 + 1)
+    return np.array([(base.x, base.y) + cell * (a * forward + s * left) for a in ahead for s in sides])

@@ -1,0 +1,48 @@
+"""Frontiers: where the explored floor ends and nothing seen stands in the way."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from uniteam.geometry import BasePose
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc
+from uniteam.mind.navigation.window import window_around
+
+
+@dataclass(frozen=True)
+class FrontierConfig:
+    """What counts as a frontier.
+
+    Attributes:
+        closing_cells: gaps in the explored area up to twice as wide count as explored.
+        dilation_cells: frontier cells this near to an obstacle are dropped: the unseen insides and backs of walls.
+        min_cells: smaller connected groups are dropped.
+    """
+
+    closing_cells: int = 5
+    dilation_cells: int = 3
+    min_cells: int = 6
+
+
+def find_frontiers(bird_map: BirdsEyeMap, base: BasePose, config: FrontierConfig) -> Mask:
+    """Return the (H, W) unexplored cells that border on explored ones, away from obstacles, in groups large enough.
+
+    The method is that of Yamauchi, "A frontier-based approach for autonomous exploration" (1997); closing the explored
+    area first, as HomeRobot dilates it, keeps slivers between views from drawing the robot back.
+    """
+    window = window_around(bird_map, base)
+    explored = cv2.morphologyEx(
+        window.cut(bird_map.explored).view(np.uint8), cv2.MORPH_CLOSE, disc(config.closing_cells)
+    )
+    blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), disc(config.dilation_cells))
+    edge = cv2.dilate(explored, disc(1)) & ~explored & ~blocked & 1
+    return window.paste(_large_groups(edge, config.min_cells), bird_map.shape)
+
+
+def _large_groups(cells: np.ndarray, min_cells: int) -> Mask:
+    """Return the cells whose 8-connected group has at least `min_cells`."""
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(cells, connectivity=8)
+    large = stats[:, cv2.CC_STAT_AREA] >= min_cells
+    large[0] = False
+    return large[labels]

@@ -1,0 +1,47 @@
+"""The point a few cells ahead that the robot can drive to in a straight line."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from uniteam.mind.mapping.birds_eye_map import Cell, Mask
+
+_SIGHT_STEPS = 12
+
+
+def find_short_term_goal(free: Mask, path: NDArray[np.int32], step_cells: int) -> Cell:
+    """Return the cell `step_cells` ahead towards the farthest point of the path that can be seen over free cells.
+
+    Looking along the path before taking the step takes out the kinks that a path over a grid has.
+
+    Args:
+        free: (H, W) bool.
+        path: (P, 2) cells (row, column), the robot's first.
+        step_cells: how far ahead, in cells.
+    """
+    robot = path[0]
+    seen = path[min(1, len(path) - 1)]
+    for cell in path[_looks(path, step_cells)]:
+        if not line_is_free(free, robot, cell):
+            break
+        seen = cell
+    along = seen - robot
+    length = float(np.hypot(*along))
+    if length > step_cells:
+        along = np.rint(along * (step_cells / length)).astype(np.int32)
+    return int(robot[0] + along[0]), int(robot[1] + along[1])
+
+
+def line_is_free(free: Mask, start: NDArray[np.integer], end: NDArray[np.integer]) -> bool:
+    """Return whether all cells on the straight line between two cells are free; the first one need not be."""
+    count = 2 * int(np.abs(end - start).max()) + 1
+    shares = np.linspace(0.0, 1.0, count)[:, None]
+    cells = np.rint(start + shares * (end - start)).astype(np.int32)
+    return bool(free[cells[1:, 0], cells[1:, 1]].all())
+
+
+def _looks(path: NDArray[np.int32], step_cells: int) -> NDArray[np.int32]:
+    """Return the indices of the path's cells to look at: one by one for a step, then a step apart, for some steps."""
+    last = len(path) - 1
+    near = np.arange(1, min(step_cells, last) + 1)
+    far = np.arange(2 * step_cells, min(last, _SIGHT_STEPS * step_cells) + 1, step_cells)
+    return np.unique(np.concatenate([near, far, [min(last, _SIGHT_STEPS * step_cells)]]).astype(np.int32))

@@ -1,0 +1,28 @@
+"""Where the robot's axis may pass, as far as the map knows; the unknown may be passed."""
+
+import cv2
+import numpy as np
+
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask, disc, disc_mask
+from uniteam.mind.navigation.window import Window
+
+OWN_CELLS = 3
+
+
+def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: int) -> Mask:
+    """Return the window's free cells: not within `dilation` cells of an obstacle and no collision there, or visited.
+
+    The robot's own disc is free but for obstacles and collisions themselves: it stands there.
+
+    Args:
+        bird_map: the map.
+        window: the part of it to cut out.
+        robot: (row, column) of the robot in the window.
+        dilation: cells by which obstacles grow.
+    """
+    obstacle = window.cut(bird_map.obstacle)
+    blocked = cv2.dilate(obstacle.view(np.uint8), disc(dilation)).view(np.bool_)
+    own = disc_mask(obstacle.shape, robot, OWN_CELLS) & ~obstacle
+    free = (~blocked | own) & ~window.cut(bird_map.collision) | window.cut(bird_map.visited)
+    free[robot] = True
+    return free
