@@ -1,0 +1,134 @@
+"""Furnish a planned home: apply each room's rules on its floor, keeping its doors and its things within reach."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+import numpy as np
+from numpy.random import Generator
+
+from uniteam.world.assets.catalogue import Catalogue, Model, Pool
+from uniteam.world.homes.floor_plan import FloorPlan, PlannedRoom, Rect
+from uniteam.world.homes.furniture_kinds import models_of_kind
+from uniteam.world.homes.furniture_rules import RULES, Rule
+from uniteam.world.homes.openings import WALL_THICKNESS, PlannedWall
+from uniteam.world.homes.placing import Placement, Site
+from uniteam.world.homes.room_floor import RoomFloor, Volume, standing_strip
+
+_DOOR_DEPTH = 70
+_TRIES = 12
+_OPEN_SIDED = {"bed", "table", "chair", "stool", "bench", "hamper", "trunk", "bathtub", "serving_cart", "stand"}
+"""Classes that can be used from any side; the others only from their front."""
+
+
+@dataclass(frozen=True)
+class FurnishedRoom:
+    """A room and what stands in it, in the order it was placed."""
+
+    room: PlannedRoom
+    placements: tuple[Placement, ...]
+
+
+@dataclass(frozen=True)
+class FurnitureShop:
+    """Where models come from: the catalogue, one pool of it."""
+
+    catalogue: Catalogue
+    pool: Pool
+
+    def choose(self, kind: str, rng: Generator) -> Model | None:
+        """Return a model of a kind, or None where the catalogue has none."""
+        models = models_of_kind(self.catalogue, kind, self.pool)
+        return models[int(rng.integers(len(models)))] if models else None
+
+
+def furnish(
+    plan: FloorPlan, walls: Sequence[PlannedWall], shop: FurnitureShop, rng: Generator
+) -> tuple[FurnishedRoom, ...]:
+    """Return every room with its furniture."""
+    return tuple(
+        FurnishedRoom(room, tuple(_Furnisher(room, bare_floor(index, room, walls), shop, rng).furnish()))
+        for index, room in enumerate(plan)
+    )
+
+
+def bare_floor(index: int, room: PlannedRoom, walls: Sequence[PlannedWall]) -> RoomFloor:
+    """Return the floor of a room, with the strips before its doors and its windows kept free."""
+    inner = room.rect.grown(-WALL_THICKNESS // 2)
+    doors, windows = [], []
+    for wall in walls:
+        for opening in wall.openings if index in wall.rooms else ():
+            if opening.kind == "window":
+                windows.append(Volume(wall.stretch(opening, 25), opening.bottom, opening.top))
+            else:
+                doors.append(_clipped(wall.stretch(opening, _DOOR_DEPTH), inner))
+    return RoomFloor(inner, doors, windows)
+
+
+def _clipped(rect: Rect, inner: Rect) -> Rect:
+    return Rect(max(rect.x0, inner.x0), max(rect.y0, inner.y0), min(rect.x1, inner.x1), min(rect.y1, inner.y1))
+
+
+class _Furnisher:
+    """Furnishes one room."""
+
+    def __init__(self, room: PlannedRoom, floor: RoomFloor, shop: FurnitureShop, rng: Generator) -> None:
+        self._room, self._floor, self._shop, self._rng = room, floor, shop, rng
+        self._standing: list[tuple[str, Placement]] = []
+
+    def furnish(self) -> Iterator[Placement]:
+        """Apply the room's rules in order and yield what stands at the end."""
+        for rule in RULES[self._room.kind]:
+            if self._rng.random() < rule.chance and self._room.rect.area >= rule.min_area:
+                self._apply(rule)
+        return (placement for _, placement in self._standing)
+
+    def _apply(self, rule: Rule) -> None:
+        wanted = int(self._rng.integers(rule.count[0], rule.count[1] + 1))
+        for kind in rule.kinds:
+            placed = 0
+            model = self._shop.choose(kind, self._rng)
+            for _ in range(wanted):
+                if model is not None and self._place(rule, kind, model):
+                    placed += 1
+                if not rule.one_model:
+                    model = self._shop.choose(kind, self._rng)
+            if placed:
+                return
+
+    def _place(self, rule: Rule, kind: str, model: Model) -> bool:
+        for anchor in self._anchors(rule):
+            site = Site(self._floor.inner, 255, anchor, self._rng)
+            placement = self._first_fitting(rule.place(site, model))
+            if placement is not None:
+                self._floor.take(placement.volume, _sides(placement))
+                self._standing.append((kind, placement))
+                return True
+        return False
+
+    def _anchors(self, rule: Rule) -> list[Placement | None]:
+        if rule.anchor is None:
+            return [None]
+        return [placement for kind, placement in self._standing if kind == rule.anchor]
+
+    def _first_fitting(self, proposals: Iterator[Placement]) -> Placement | None:
+        placements = list(proposals)
+        if not placements:
+            return None
+        rows = np.array([p.volume.as_row() for p in placements], dtype=np.int64)
+        fitting = np.flatnonzero(self._floor.unobstructed(rows))
+        passable = (
+            placements[i]
+            for i in islice(fitting.tolist(), _TRIES)
+            if self._floor.stays_passable(placements[i].volume, _sides(placements[i]))
+        )
+        return next(passable, None)
+
+
+def _sides(placement: Placement) -> tuple[Rect, ...]:
+    """Return where the robot may stand to get at a receptacle; nothing for decor."""
+    if placement.model.role != "receptacle":
+        return ()
+    if placement.model.category not in _OPEN_SIDED:
+        return (standing_strip(placement.rect, placement.front),)
+    return tuple(standing_strip(placement.rect, step) for step in ((1, 0), (-1, 0), (0, 1), (0, -1)))

@@ -1,0 +1,191 @@
+"""What stands in each kind of room, in the order of its importance, as rules.
+
+A rule names a kind of furniture, how to place it, how likely it is, how many, and the kind it relates to. A rule whose
+anchor does not stand in the room is passed over; where no place is free, the piece is left out.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from uniteam.world.assets.catalogue import Model
+from uniteam.world.homes import placing
+from uniteam.world.homes.placing import Placement, Site
+
+Placing = Callable[[Site, Model], Iterator[Placement]]
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One kind of furniture for a room.
+
+    Attributes:
+        kind: of `furniture_kinds.KINDS`, or a category of decor; several are alternatives, the first that fits stands.
+        place: proposes where.
+        chance: that the rule is used at all.
+        count: least and most pieces.
+        anchor: kind that the piece relates to; each standing one of that kind is tried in turn.
+        min_area: of the room (m2), below which the rule is passed over.
+        one_model: whether all pieces are of one model, as chairs around a table are.
+    """
+
+    kind: str | tuple[str, ...]
+    place: Placing
+    chance: float = 1.0
+    count: tuple[int, int] = (1, 1)
+    anchor: str | None = None
+    min_area: float = 0.0
+    one_model: bool = True
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The alternatives."""
+        return (self.kind,) if isinstance(self.kind, str) else self.kind
+
+
+_WALLS = (
+    Rule("picture", placing.on_wall, 0.8, (1, 3), one_model=False),
+    Rule("plant", placing.in_corner, 0.5, (1, 2), one_model=False),
+    Rule("ceiling_lamp", placing.on_ceiling, 0.7),
+    Rule("curtain", placing.on_wall, 0.0),
+)
+
+RULES: dict[str, tuple[Rule, ...]] = {
+    "living_room": (
+        Rule(("couch", "corner_couch"), placing.mid_wall),
+        Rule("tv_stand", placing.opposite, 0.85, anchor="couch"),
+        Rule("tv", placing.on_top, 1.0, anchor="tv_stand"),
+        Rule("coffee_table", placing.before, 0.9, anchor="couch"),
+        Rule("rug", placing.beneath, 0.7, anchor="coffee_table"),
+        Rule("armchair", placing.facing, 0.8, (1, 2), anchor="coffee_table"),
+        Rule("side_table", placing.beside, 0.6, anchor="couch"),
+        Rule("floor_lamp", placing.beside, 0.5, anchor="couch"),
+        Rule("shelves", placing.against_wall, 0.8, (1, 2)),
+        Rule("cabinet", placing.against_wall, 0.5),
+        Rule("dining_table", placing.in_middle, 0.3, min_area=24.0),
+        Rule("dining_chair", placing.around, 1.0, (3, 4), anchor="dining_table"),
+        Rule("chest_of_drawers", placing.against_wall, 0.35),
+        Rule("armchair", placing.in_corner, 0.4),
+        Rule("trunk", placing.against_wall, 0.35),
+        Rule("bench", placing.against_wall, 0.3),
+        Rule("stool", placing.in_corner, 0.3),
+        Rule("stand", placing.against_wall, 0.3),
+        Rule("serving_cart", placing.against_wall, 0.2),
+        Rule("fireplace", placing.mid_wall, 0.25),
+        Rule("piano", placing.against_wall, 0.2, min_area=20.0),
+        Rule("picture", placing.over, 0.7, anchor="couch"),
+        Rule("floor_lamp", placing.in_corner, 0.4),
+        *_WALLS,
+    ),
+    "kitchen": (
+        Rule("kitchen_sink", placing.mid_wall),
+        Rule("counter", placing.in_row, 1.0, (1, 2), anchor="kitchen_sink", one_model=False),
+        Rule("oven", placing.in_row, 1.0, anchor="counter"),
+        Rule("counter", placing.in_row, 1.0, (1, 2), anchor="counter", one_model=False),
+        Rule("refrigerator", placing.in_corner),
+        Rule("hood", placing.over, 0.6, anchor="oven"),
+        Rule("counter", placing.against_wall, 0.6),
+        Rule(("kitchen_table", "dining_table"), placing.in_middle, 0.75, min_area=9.0),
+        Rule("dining_chair", placing.around, 1.0, (1, 4), anchor="kitchen_table"),
+        Rule("dining_chair", placing.around, 1.0, (2, 4), anchor="dining_table"),
+        Rule("island", placing.in_middle, 0.3, min_area=13.0),
+        Rule("kitchen_table", placing.against_wall, 0.4),
+        Rule("dining_chair", placing.around, 1.0, (1, 2), anchor="kitchen_table"),
+        Rule("stool", placing.against_wall, 0.5, (1, 2)),
+        Rule("serving_cart", placing.against_wall, 0.5),
+        Rule(("small_cabinet", "cabinet"), placing.against_wall, 0.5),
+        Rule("narrow_shelves", placing.against_wall, 0.35),
+        Rule("washer_dryer", placing.against_wall, 0.3),
+        Rule("trash_can", placing.in_corner, 0.6),
+        *_WALLS,
+    ),
+    "dining_room": (
+        Rule("dining_table", placing.in_middle),
+        Rule("dining_chair", placing.around, 1.0, (3, 6), anchor="dining_table"),
+        Rule("rug", placing.beneath, 0.5, anchor="dining_table"),
+        Rule("ceiling_lamp", placing.above, 0.8, anchor="dining_table"),
+        Rule(("cabinet", "small_cabinet"), placing.against_wall, 0.8),
+        Rule("serving_cart", placing.against_wall, 0.5),
+        Rule("chest_of_drawers", placing.against_wall, 0.5),
+        Rule("shelves", placing.against_wall, 0.4),
+        Rule("bench", placing.against_wall, 0.35),
+        Rule("stand", placing.in_corner, 0.3),
+        Rule("trunk", placing.against_wall, 0.2),
+        *_WALLS,
+    ),
+    "bedroom": (
+        Rule(("bed", "single_bed"), placing.mid_wall),
+        Rule("bedside_table", placing.beside, 0.9, (1, 2), anchor="bed"),
+        Rule("bedside_table", placing.beside, 0.9, anchor="single_bed"),
+        Rule("wardrobe", placing.against_wall, 0.85),
+        Rule("chest_of_drawers", placing.against_wall, 0.65),
+        Rule(("trunk", "bench"), placing.at_foot, 0.4, anchor="bed"),
+        Rule("rug", placing.beneath, 0.4, anchor="bed"),
+        Rule("desk", placing.against_wall, 0.3, min_area=13.0),
+        Rule("dining_chair", placing.around, 1.0, anchor="desk"),
+        Rule("armchair", placing.in_corner, 0.4),
+        Rule("shelves", placing.against_wall, 0.4),
+        Rule("hamper", placing.in_corner, 0.45),
+        Rule("trunk", placing.against_wall, 0.25),
+        Rule("any_chair", placing.against_wall, 0.35),
+        Rule("stool", placing.in_corner, 0.25),
+        Rule("picture", placing.over, 0.6, anchor="bed"),
+        Rule("mirror", placing.on_wall, 0.4),
+        Rule("floor_lamp", placing.in_corner, 0.35),
+        *_WALLS,
+    ),
+    "office": (
+        Rule(("desk", "work_table"), placing.against_wall),
+        Rule(("dining_chair", "any_chair"), placing.around, 1.0, anchor="desk"),
+        Rule(("dining_chair", "any_chair"), placing.around, 1.0, anchor="work_table"),
+        Rule("filing_cabinet", placing.against_wall, 0.9, (1, 2)),
+        Rule("shelves", placing.against_wall, 0.95, (1, 2), one_model=False),
+        Rule("armchair", placing.in_corner, 0.5),
+        Rule(("cabinet", "small_cabinet"), placing.against_wall, 0.5),
+        Rule("chest_of_drawers", placing.against_wall, 0.3),
+        Rule(("couch",), placing.against_wall, 0.3, min_area=11.0),
+        Rule("rug", placing.on_floor, 0.4),
+        Rule("stool", placing.in_corner, 0.3),
+        Rule("trunk", placing.against_wall, 0.2),
+        Rule("floor_lamp", placing.in_corner, 0.4),
+        Rule("trash_can", placing.in_corner, 0.5),
+        *_WALLS,
+    ),
+    "bathroom": (
+        Rule("toilet", placing.against_wall),
+        Rule("bathroom_sink", placing.against_wall),
+        Rule("mirror", placing.over, 0.8, anchor="bathroom_sink"),
+        Rule(("bathtub", "shower"), placing.in_corner, 0.85),
+        Rule("shower", placing.in_corner, 0.3),
+        Rule("hamper", placing.in_corner, 0.6),
+        Rule("washer_dryer", placing.against_wall, 0.4),
+        Rule(("small_cabinet", "narrow_shelves"), placing.against_wall, 0.6),
+        Rule("stool", placing.in_corner, 0.4),
+        Rule("radiator", placing.on_wall, 0.0),
+        Rule("rug", placing.on_floor, 0.3),
+        Rule("ceiling_lamp", placing.on_ceiling, 0.6),
+    ),
+    "laundry": (
+        Rule("washer_dryer", placing.in_corner),
+        Rule("washer_dryer", placing.in_row, 0.8, anchor="washer_dryer"),
+        Rule("hamper", placing.in_corner, 0.9, (1, 2)),
+        Rule("narrow_shelves", placing.against_wall, 0.8),
+        Rule(("small_cabinet", "cabinet"), placing.against_wall, 0.6),
+        Rule("bathroom_sink", placing.against_wall, 0.4),
+        Rule("shoe_rack", placing.against_wall, 0.3),
+        Rule("trash_can", placing.in_corner, 0.4),
+        Rule("ceiling_lamp", placing.on_ceiling, 0.6),
+    ),
+    "hall": (
+        Rule("shoe_rack", placing.against_wall, 0.85),
+        Rule(("chest_of_drawers", "small_cabinet"), placing.against_wall, 0.4),
+        Rule("bench", placing.against_wall, 0.5),
+        Rule("stand", placing.against_wall, 0.4),
+        Rule("coat_rack", placing.in_corner, 0.5),
+        Rule("stool", placing.in_corner, 0.3),
+        Rule("trunk", placing.against_wall, 0.3),
+        Rule("mirror", placing.on_wall, 0.5),
+        Rule("picture", placing.on_wall, 0.7, (1, 3), one_model=False),
+        Rule("plant", placing.in_corner, 0.4),
+        Rule("ceiling_lamp", placing.on_ceiling, 0.6),
+    ),
+}

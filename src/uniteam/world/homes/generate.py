@@ -1,0 +1,100 @@
+"""A furnished home from a seed: plan, walls, furniture, objects; drawn again until everything that must hold holds."""
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import count
+
+import numpy as np
+from numpy.random import Generator
+
+from uniteam.geometry import yaw_quaternion
+from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Catalogue, Pool, load_catalogue
+from uniteam.world.homes.clutter import MIN_OBJECT_COUNT, ObjectStock, scatter
+from uniteam.world.homes.floor_plan import draw_floor_plan
+from uniteam.world.homes.furnishing import FurnishedRoom, FurnitureShop, furnish
+from uniteam.world.homes.home import Home, Instance, Room
+from uniteam.world.homes.openings import draw_walls
+from uniteam.world.homes.placing import Placement
+from uniteam.world.homes.settling import settle
+from uniteam.world.homes.stage import build_stage
+from uniteam.world.simulation.navigable import CELL_SIZE, NavigableFloor
+
+_POOLS: tuple[Pool, ...] = ("train", "test")
+_CEILINGS = (250, 260, 270)
+_FEWEST_FURNITURE = 22
+_FEWEST_RECEPTACLE_CLASSES = 8
+_ROOM_TO_STAND = 0.25
+"""The robot's centre reaches at least so much of every room (m2)."""
+
+
+def generate_home(seed: int, pool: Pool = "test") -> Home:
+    """Return the furnished home of a seed.
+
+    Everything but the objects' settled poses is the same on every machine; those are the same on one machine.
+
+    Args:
+        seed: not negative.
+        pool: "train" homes hold training models only and no unseen category; "test" homes hold the other models.
+    """
+    catalogue = load_catalogue()
+    for attempt in count():
+        drawn = _draw(seed, pool, catalogue, np.random.default_rng([seed, _POOLS.index(pool), attempt]))
+        if drawn is None or not _is_roomy(drawn, catalogue):
+            continue
+        home = settle(drawn, catalogue)
+        if sum(instance.movable for instance in home.instances) >= MIN_OBJECT_COUNT:
+            return home
+    raise AssertionError("unreachable")
+
+
+def _draw(seed: int, pool: Pool, catalogue: Catalogue, rng: Generator) -> Home | None:
+    """Return a home whose objects hover a hair above where they will lie, or None where the draw is a poor one."""
+    plan = draw_floor_plan(rng)
+    walls = draw_walls(plan, rng)
+    if walls is None:
+        return None
+    ceiling = int(rng.choice(_CEILINGS))
+    stage = build_stage(plan, walls, ceiling, rng)
+    rooms = furnish(plan, walls, FurnitureShop(catalogue, pool), rng)
+    furniture = [_instance(placement, room) for room in rooms for placement in room.placements]
+    if not _is_furnished(furniture):
+        return None
+    kinds = {room.name: room.kind for room in plan}
+    objects = scatter(furniture, kinds, ObjectStock(catalogue, pool, rng), rng)
+    return Home(f"{pool}-{seed}", stage, _numbered([*furniture, *objects]), seed)
+
+
+def _instance(placement: Placement, room: FurnishedRoom) -> Instance:
+    degrees = 90 * placement.quarters + placement.degrees
+    w, x, y, z = (round(v, 9) for v in yaw_quaternion(np.radians(degrees)))
+    position = (placement.x / 100, placement.y / 100, placement.z / 100)
+    return Instance("", placement.model.id, placement.model.category, False, position, (w, x, y, z), room.room.name)
+
+
+def _numbered(instances: Iterable[Instance]) -> tuple[Instance, ...]:
+    """Return the instances with names that count within their category."""
+    numbers: Counter[str] = Counter()
+    named = []
+    for instance in instances:
+        numbers[instance.category] += 1
+        named.append(replace(instance, name=f"{instance.category}_{numbers[instance.category]}"))
+    return tuple(named)
+
+
+def _is_furnished(furniture: Iterable[Instance]) -> bool:
+    categories = [instance.category for instance in furniture]
+    classes = set(categories) & set(RECEPTACLE_CATEGORIES)
+    return len(categories) >= _FEWEST_FURNITURE and len(classes) >= _FEWEST_RECEPTACLE_CLASSES
+
+
+def _is_roomy(home: Home, catalogue: Catalogue) -> bool:
+    """Say whether the robot gets to a good spot of every room from every other."""
+    floor = NavigableFloor(home, catalogue)
+    return all(_reached_area(floor, room) >= _ROOM_TO_STAND for room in home.stage.rooms)
+
+
+def _reached_area(floor: NavigableFloor, room: Room) -> float:
+    """Return how much of a room (m2) the robot's centre reaches."""
+    low, high = floor.to_cell(*room.low), floor.to_cell(*room.high)
+    return float(floor.largest_component[low[0] : high[0], low[1] : high[1]].sum()) * CELL_SIZE**2
