@@ -1,18 +1,10 @@
 """Which part a detection plays in the instruction: the object, the start receptacle, the goal receptacle, or none."""
 
 from collections.abc import Callable
-from enum import IntEnum
-
 from uniteam.interface import Detection, Instruction
+from uniteam.mind.perception.vocabulary import ClassRole
 
-
-class ClassRole(IntEnum):
-    """A class channel of the map."""
-
-    OBJECT = 0
-    START_RECEPTACLE = 1
-    GOAL_RECEPTACLE = 2
-
+__all__ = ["ClassRole", "RoleScores", "role_scores"]
 
 RoleScores = Callable[[Detection], tuple[float, float, float]]
 """The score in [0, 1] with which a detection plays each `ClassRole`, in its order; 0 where it does not."""

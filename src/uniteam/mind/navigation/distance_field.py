@@ -2,8 +2,8 @@
 
 A step to a side costs 5, to a corner 7, a knight's move 11 (the chamfer weights of Borgefors, "Distance transformations
 in digital images", 1986); a bucket for each remainder of the cost makes the queue (Dial, "Algorithm 360", 1969). A
-corner step needs one of the two cells beside it free, a knight's move both of the cells it passes: no path slips through
-a wall that is one cell thick.
+corner step needs one of the two cells beside it free, a knight's move both of the cells it passes: no path slips
+through a wall that is one cell thick.
 """
 
 from typing import NamedTuple

@@ -36,13 +36,13 @@ def find_frontiers(bird_map: BirdsEyeMap, base: BasePose, config: FrontierConfig
         window.cut(bird_map.explored).view(np.uint8), cv2.MORPH_CLOSE, disc(config.closing_cells)
     )
     blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), disc(config.dilation_cells))
-    edge = cv2.dilate(explored, disc(1)) & ~explored & ~blocked & 1
+    edge = (cv2.dilate(explored, disc(1)) > explored) & (blocked == 0)
     return window.paste(_large_groups(edge, config.min_cells), bird_map.shape)
 
 
-def _large_groups(cells: np.ndarray, min_cells: int) -> Mask:
+def _large_groups(cells: Mask, min_cells: int) -> Mask:
     """Return the cells whose 8-connected group has at least `min_cells`."""
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(cells, connectivity=8)
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(cells.view(np.uint8), connectivity=8)
     large = stats[:, cv2.CC_STAT_AREA] >= min_cells
     large[0] = False
     return large[labels]

@@ -107,8 +107,8 @@ class _Motion:
 class Planner:
     """Plans one step at a time; it remembers only the last forward motion, to notice when it was blocked.
 
-    Update the map once a step, then plan, to several goals if need be: the last plan is the one taken to be carried out.
-    Call `interrupt` when something else moves the robot in between.
+    Update the map once a step, then plan, to several goals if need be: the last plan is taken to be the one that is
+    carried out. Call `interrupt` when something else moves the robot in between.
     """
 
     def __init__(self, config: PlannerConfig | None = None) -> None:
