@@ -22,7 +22,7 @@ from uniteam.world.simulation.navigable import CELL_SIZE, NavigableFloor
 
 _POOLS: tuple[Pool, ...] = ("train", "test")
 _CEILINGS = (250, 260, 270)
-_FEWEST_FURNITURE = 22
+_FEWEST_FURNITURE = 18
 _FEWEST_RECEPTACLE_CLASSES = 8
 _ROOM_TO_STAND = 0.25
 """The robot's centre reaches at least so much of every room (m2)."""

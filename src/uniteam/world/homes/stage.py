@@ -4,14 +4,31 @@ from collections.abc import Sequence
 
 from numpy.random import Generator
 
-from uniteam.world.assets.textures import texture_names
+from uniteam.world.assets.textures import Kind, texture_names
 from uniteam.world.homes.floor_plan import FloorPlan, PlannedRoom
 from uniteam.world.homes.home import Light, Opening, Room, Stage, Wall
 from uniteam.world.homes.openings import WALL_THICKNESS, PlannedWall
 
-_TILED = ("bathroom", "laundry", "kitchen")
-_TILE_WORDS = ("tile", "stone", "marble", "ceramic", "terracotta", "concrete")
-_BATHROOM_WALL_WORDS = ("tile", "ceramic", "mosaic")
+_WOODEN = ("planks", "parquet", "wooden")
+_CARPET = ("carpet",)
+_FLOOR_TILES = ("tile", "linoleum", "marble", "concrete", "paving")
+_PAINT = ("paint", "plaster_white")
+_WALLPAPER = ("wallpaper", "plaster", "paint")
+_WALL_TILES = ("tile", "marble")
+_BRICKS = ("bricks", "stone")
+
+_FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
+    "bathroom": (_FLOOR_TILES,), "laundry": (_FLOOR_TILES,), "kitchen": (_FLOOR_TILES, _FLOOR_TILES, _WOODEN),
+    "hall": (_WOODEN, _FLOOR_TILES), "bedroom": (_WOODEN, _CARPET), "office": (_WOODEN, _CARPET),
+}  # fmt: skip
+"""Words of the textures' names that suit a room, one set of which is drawn; wood suits the others."""
+
+_WALLS: dict[str, tuple[tuple[str, ...], ...]] = {
+    "bathroom": (_WALL_TILES, _WALL_TILES, _PAINT), "kitchen": (_PAINT, _WALL_TILES, _WALLPAPER),
+    "laundry": (_PAINT, _WALL_TILES),
+}  # fmt: skip
+_PLAIN_WALLS = (_PAINT, _PAINT, _PAINT, _WALLPAPER, _WALLPAPER, _BRICKS)
+
 _TINTS = (
     (1.0, 0.98, 0.94), (0.97, 0.97, 0.97), (0.95, 0.92, 0.84), (0.84, 0.9, 0.93), (0.86, 0.92, 0.84),
     (0.96, 0.88, 0.82), (0.9, 0.86, 0.92), (0.98, 0.94, 0.78), (0.82, 0.84, 0.86), (0.93, 0.85, 0.78),
@@ -25,30 +42,23 @@ _LIGHTS = (
 def build_stage(plan: FloorPlan, walls: Sequence[PlannedWall], ceiling: int, rng: Generator) -> Stage:
     """Return the stage of a plan; `ceiling` is its height (cm)."""
     tints = rng.permutation(len(_TINTS))
-    wooden = str(rng.choice(_textures("floor", (), _TILE_WORDS)))
-    rooms = tuple(_room(room, _TINTS[tints[i]], wooden, ceiling, rng) for i, room in enumerate(plan))
+    common_floor = _texture("floor", (_WOODEN,), rng)
+    rooms = tuple(_room(room, _TINTS[tints[i]], common_floor, ceiling, rng) for i, room in enumerate(plan))
     return Stage(rooms, tuple(_wall(wall) for wall in walls), ceiling / 100)
 
 
-def _textures(kind: str, wanted: Sequence[str], unwanted: Sequence[str]) -> list[str]:
-    """Return the textures whose names hold a wanted word (any, where none is given) and no unwanted one, or all."""
-    names = texture_names("floor" if kind == "floor" else "wall")
-    fitting = [
-        name
-        for name in names
-        if (not wanted or any(word in name for word in wanted)) and not any(word in name for word in unwanted)
-    ]
-    return fitting or list(names)
+def _texture(kind: Kind, choices: Sequence[Sequence[str]], rng: Generator) -> str:
+    """Return a texture whose name holds a word of one of the choices; any, where the pack has none such."""
+    words = choices[int(rng.integers(len(choices)))]
+    names = texture_names(kind)
+    fitting = [name for name in names if any(word in name for word in words)] or names
+    return fitting[int(rng.integers(len(fitting)))]
 
 
 def _room(room: PlannedRoom, tint: tuple[float, float, float], common_floor: str, ceiling: int, rng: Generator) -> Room:
-    if room.kind in _TILED:
-        floor = str(rng.choice(_textures("floor", _TILE_WORDS, ())))
-    else:
-        own = str(rng.choice(_textures("floor", (), _TILE_WORDS)))
-        floor = common_floor if rng.random() < 0.5 else own
-    tiled_wall = room.kind == "bathroom" and rng.random() < 0.5
-    wall = str(rng.choice(_textures("wall", _BATHROOM_WALL_WORDS if tiled_wall else (), ())))
+    own_floor = _texture("floor", _FLOORS.get(room.kind, (_WOODEN,)), rng)
+    floor = common_floor if room.kind not in _FLOORS and rng.random() < 0.6 else own_floor
+    wall = _texture("wall", _WALLS.get(room.kind, _PLAIN_WALLS), rng)
     low, high = (room.rect.x0 / 100, room.rect.y0 / 100), (room.rect.x1 / 100, room.rect.y1 / 100)
     position = (round((low[0] + high[0]) / 2, 3), round((low[1] + high[1]) / 2, 3), round(ceiling / 100 - 0.3, 3))
     light = Light(position, _LIGHTS[int(rng.integers(len(_LIGHTS)))], round(float(rng.uniform(0.35, 0.55)), 3))
