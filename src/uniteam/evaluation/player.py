@@ -1,6 +1,7 @@
 """What a worker process does: it opens the split once and plays the episodes it is handed."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 
 import cv2
@@ -9,6 +10,7 @@ from uniteam.errors import DamagedFileError, UnknownNameError
 from uniteam.evaluation.agents import AgentSpec
 from uniteam.evaluation.play import play_episode, result_of_exception
 from uniteam.evaluation.result import EpisodeResult
+from uniteam.evaluation.warm_up import warm_up
 from uniteam.geometry import PinholeCamera
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
 from uniteam.world.task.environment import Environment
@@ -72,8 +74,12 @@ class PlayerSetup:
     camera: str
 
     def __call__(self) -> EpisodePlayer:
-        """Open the split and play a few steps, so that what must be compiled is compiled."""
+        """Open the split and warm up, so that the next worker finds in the cache what this one had to compile."""
         cv2.setNumThreads(1)
-        split = load_split(self.split)
-        player = EpisodePlayer(split, self.agents, camera_named(self.camera))
-        return player
+        split, camera = load_split(self.split), camera_named(self.camera)
+        episode = split.episodes[0]
+        with suppress(Exception):  # whatever is wrong will come up in an episode and be recorded there
+            for spec in self.agents.values():
+                environment = Environment(split.homes[episode.home], episode, camera, spec.needs_truth)
+                warm_up(environment, spec.make(environment))
+        return EpisodePlayer(split, self.agents, camera)

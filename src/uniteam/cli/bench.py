@@ -1,0 +1,55 @@
+"""`uniteam bench`: where a step's time goes."""
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import Progress
+from rich.table import Table
+
+import uniteam
+from uniteam.errors import InvalidInputError
+from uniteam.evaluation.agents import AgentSpec
+from uniteam.evaluation.bench import BenchReport, measure
+from uniteam.world.task.splits import load_split
+
+SPLIT, AGENT, PERCEPTION = "minival", "uniteam", "truth"
+
+
+def bench(out: Path | None = None, episodes: int = 5) -> None:
+    """Measure the steps a second of one process, and the milliseconds a step spends where.
+
+    Plays episodes of minival with the agent uniteam, perception truth and the half-size camera, after everything is
+    compiled. Close other programs first: the figures are of this machine as it is.
+
+    Args:
+        out: A JSON file to write the figures to.
+        episodes: How many episodes to play.
+    """
+    console = Console()
+    split = load_split(SPLIT)
+    if not 1 <= episodes <= len(split.episodes):
+        raise InvalidInputError(f"{SPLIT} has {len(split.episodes)} episodes; --episodes {episodes} is out of range")
+    with Progress(console=console, transient=True) as progress:
+        bar = progress.add_task("playing", total=episodes)
+        report = measure(split, AgentSpec(AGENT, PERCEPTION), episodes, lambda: progress.advance(bar))
+    console.print(_table(report))
+    if out is not None:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        out.write_text(json.dumps({**asdict(report), "version": uniteam.__version__}, indent=2) + "\n")
+        console.print(f"Written to {out}.")
+
+
+def _table(report: BenchReport) -> Table:
+    caption = f"{report.episode_count} episodes of {SPLIT}, {report.step_count} steps, uniteam {uniteam.__version__}"
+    table = Table(caption=caption, caption_justify="left", show_header=False)
+    table.add_column(justify="left")
+    table.add_column(justify="right")
+    table.add_row("[bold]steps a second[/] (median over episodes)", f"[bold]{report.steps_per_second:.1f}[/]")
+    for section, milliseconds in report.milliseconds.items():
+        table.add_row(f"{section}, a step", f"{milliseconds:.2f} ms")
+    table.add_row("opening a home (median)", f"{report.opening_seconds:.2f} s")
+    table.add_row("warming up", f"{report.warm_up_seconds:.1f} s")
+    table.add_row("peak memory", f"{report.peak_memory_mb:.0f} MB")
+    return table

@@ -1,0 +1,131 @@
+"""`uniteam doctor`: whether this installation is whole."""
+
+import os
+import platform
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from hashlib import sha256
+from importlib.metadata import PackageNotFoundError, version
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+import uniteam
+from uniteam.errors import UniteamError
+
+OLDEST_PYTHON = (3, 11)
+PACKAGES = ("numpy", "numba", "mujoco", "opencv-python-headless", "tyro", "rich")
+SMALLEST_MEMORY = 3.0
+"""GB: two workers and the system."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a check found, and what to do where it is not well; `advice` is empty where it is."""
+
+    text: str
+    advice: str = ""
+
+
+def doctor() -> None:
+    """Check Python, the packages, the machine, the models, the splits and the camera, and say what is missing."""
+    console = Console()
+    table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
+    advice = []
+    for name, check in CHECKS.items():
+        finding = _find(check)
+        table.add_row("[red]fault[/]" if finding.advice else "[green]ok[/]", f"[bold]{name}[/]", escape(finding.text))
+        advice += [f"{name}: {finding.advice}"] if finding.advice else []
+    console.print(table)
+    for sentence in advice:
+        console.print(f"\n[red]{escape(sentence)}[/]", highlight=False)
+    if advice:
+        raise UniteamError(f"{len(advice)} of {len(CHECKS)} checks found a fault; what to do is said above")
+    console.print("\nEverything is in place. Begin with [bold]uniteam evaluate[/].")
+
+
+def _find(check: Callable[[], Finding]) -> Finding:
+    try:
+        return check()
+    except UniteamError as error:
+        return Finding("broken", str(error))
+    except Exception as error:  # a doctor reports what it finds
+        return Finding("broken", f"{type(error).__name__}: {error}; reinstall uniteam")
+
+
+def _python() -> Finding:
+    text = f"{platform.python_version()} on {platform.system()} {platform.machine()}"
+    oldest = ".".join(map(str, OLDEST_PYTHON))
+    return Finding(text, "" if sys.version_info >= OLDEST_PYTHON else f"install Python {oldest} or newer")
+
+
+def _packages() -> Finding:
+    found, missing = [f"uniteam {uniteam.__version__}"], []
+    for package in PACKAGES:
+        try:
+            found.append(f"{package} {version(package)}")
+        except PackageNotFoundError:
+            missing.append(package)
+    return Finding(", ".join(found), f"pip install {' '.join(missing)}" if missing else "")
+
+
+def _machine() -> Finding:
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e9
+    advice = "" if memory >= SMALLEST_MEMORY else "with little memory, evaluate with --workers 1"
+    return Finding(f"{os.cpu_count()} cores, {memory:.1f} GB of memory", advice)
+
+
+def _pack() -> Finding:
+    from uniteam.world.assets.catalogue import load_catalogue
+    from uniteam.world.assets.verify import verify_pack
+
+    verify_pack()
+    models = load_catalogue().models.values()
+    furniture = sum(model.role == "receptacle" for model in models)
+    objects = sum(model.role == "object" for model in models)
+    return Finding(f"{len(models)} models intact: {furniture} receptacles, {objects} objects")
+
+
+def _splits() -> Finding:
+    from uniteam.world.task.splits import SPLIT_NAMES, load_split
+
+    counts = [f"{name} {len(load_split(name).episodes)}" for name in SPLIT_NAMES]
+    return Finding("episodes: " + ", ".join(counts))
+
+
+def _camera() -> Finding:
+    """Render the first view of the first episode; the checksum tells whether two machines see the same."""
+    from uniteam.world.task.environment import Environment
+    from uniteam.world.task.splits import load_split
+
+    split = load_split("minival")
+    episode = split.episodes[0]
+    seen = Environment(split.homes[episode.home], episode).reset()
+    digest = sha256(seen.rgb.tobytes() + seen.depth.tobytes()).hexdigest()[:16]
+    return Finding(f"one frame rendered, checksum {digest}")
+
+
+def _opengl() -> Finding:
+    """Nothing but the comparison with MuJoCo's renderer needs OpenGL, so its absence is no fault."""
+    import mujoco
+
+    try:
+        mujoco.Renderer(mujoco.MjModel.from_xml_string("<mujoco/>"), 8, 8).close()
+    except Exception:
+        return Finding(
+            "absent, and not needed: only 'uniteam bench' compares with MuJoCo's renderer where it is present"
+        )
+    return Finding("present: 'uniteam bench' compares the camera with MuJoCo's renderer")
+
+
+CHECKS: dict[str, Callable[[], Finding]] = {
+    "Python": _python,
+    "packages": _packages,
+    "machine": _machine,
+    "models": _pack,
+    "splits": _splits,
+    "camera": _camera,
+    "OpenGL": _opengl,
+}

@@ -1,0 +1,95 @@
+"""`uniteam run`: one episode, narrated and filmed."""
+
+from collections.abc import Callable
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Annotated, Literal
+
+import tyro
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from uniteam.errors import InvalidInputError
+from uniteam.evaluation.agents import label_agents
+from uniteam.evaluation.play import Observer, Step, play_episode
+from uniteam.evaluation.player import camera_named
+from uniteam.evaluation.result import EpisodeResult, measures_to_data
+from uniteam.visualization.film import Film
+from uniteam.visualization.narration import Narrator
+from uniteam.world.task.environment import Environment
+from uniteam.world.task.episode import Episode
+from uniteam.world.task.splits import load_split
+
+_STYLES = {"state": "bold", "action": "cyan", "trouble": "red", "success": "green"}
+
+
+def run(
+    agent: str = "uniteam",
+    split: str = "minival",
+    episode: int = 0,
+    video: Path | None = None,
+    perception: str = "truth",
+    camera: Literal["half", "full"] = "half",
+    with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
+    without: tuple[str, ...] = (),
+) -> None:
+    """Play one episode, tell what happens a line at a time, and film it if asked to.
+
+    Args:
+        agent: Which agent: baseline, uniteam, random, or oracle, which is told the truth.
+        split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
+        episode: Which episode of the split, counted from 0.
+        video: An .mp4 file to film it into.
+        perception: What the agent sees with.
+        camera: Images of 240x320 (half) or of 480x640 (full).
+        with_: Names of improvements to add, if the agent lacks them.
+        without: Names of improvements to take from the agent.
+    """
+    console = Console()
+    ((label, spec),) = label_agents((agent,), perception, with_, without).items()
+    episodes = load_split(split)
+    chosen = _choose(episodes.episodes, episode, split)
+    environment = Environment(episodes.homes[chosen.home], chosen, camera_named(camera), spec.needs_truth)
+    console.print(f"[bold]{chosen.instruction}[/] ({episodes.name}, episode {episode}, {label}, {perception})\n")
+    with ExitStack() as stack:
+        observers: list[Observer] = [Narrator(_speak_to(console))]
+        if video is not None:
+            film = Film(video, environment, f"{label} · {episodes.name} · episode {episode}")
+            stack.callback(film.close)
+            observers.append(film)
+        result = play_episode(environment, spec.make(environment), lambda step: _show(step, observers))
+    _report(result, console)
+    if video is not None:
+        console.print(f"Film: {video}")
+
+
+def _choose(episodes: tuple[Episode, ...], index: int, split: str) -> Episode:
+    if not 0 <= index < len(episodes):
+        raise InvalidInputError(f"split '{split}' has episodes 0 to {len(episodes) - 1}, there is no episode {index}")
+    return episodes[index]
+
+
+def _show(step: Step, observers: list[Observer]) -> None:
+    for observer in observers:
+        observer(step)
+
+
+def _speak_to(console: Console) -> Callable[[int, str, str], None]:
+    def say(number: int, kind: str, sentence: str) -> None:
+        style = _STYLES[kind]
+        console.print(f"[dim]{number:5d}[/]  [{style}]{escape(sentence)}[/]", highlight=False, soft_wrap=True)
+
+    return say
+
+
+def _report(result: EpisodeResult, console: Console) -> None:
+    """Print the final measures under the challenge's names."""
+    table = Table(box=None, show_header=False)
+    for name, value in measures_to_data(result.measures).items():
+        table.add_row(name, str(value))
+    console.print()
+    console.print(table)
+    verdict = f"[red]{escape(result.failure)}[/]" if result.failure else "[green]overall success[/]"
+    rate = result.measures.num_steps / result.seconds
+    console.print(f"{verdict}\n{result.seconds:.1f} s, {rate:.0f} steps a second, narration and film included.")

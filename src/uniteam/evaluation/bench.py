@@ -1,0 +1,105 @@
+"""Measure where a step's time goes."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from statistics import median
+from time import perf_counter
+
+import cv2
+
+from uniteam.evaluation.agents import AgentSpec
+from uniteam.evaluation.play import peak_memory, play_episode
+from uniteam.evaluation.warm_up import warm_up
+from uniteam.stretch import HEAD_CAMERA_HALF
+from uniteam.timing import stopwatch
+from uniteam.world.task.environment import Environment
+from uniteam.world.task.episode import Split
+
+SECTIONS = ("camera", "physics", "perception", "map", "planner")
+REST = "rest"
+
+
+@dataclass(frozen=True)
+class EpisodeTiming:
+    """How long one episode took.
+
+    Attributes:
+        steps: taken.
+        seconds: of the whole loop.
+        opening: seconds that the home took to open, before the loop.
+        sections: seconds by section, "rest" included.
+    """
+
+    steps: int
+    seconds: float
+    opening: float
+    sections: dict[str, float]
+
+
+@dataclass(frozen=True)
+class BenchReport:
+    """What `uniteam bench` measures, of one process.
+
+    Attributes:
+        episode_count, step_count: what it is from.
+        steps_per_second: of the whole loop, median over the episodes.
+        milliseconds: a step, by section, mean over all steps.
+        opening_seconds: to open a home, median.
+        warm_up_seconds: to import, compile or load from the cache what is compiled, and play the first steps.
+        peak_memory_mb: largest resident memory of the process.
+    """
+
+    episode_count: int
+    step_count: int
+    steps_per_second: float
+    milliseconds: dict[str, float]
+    opening_seconds: float
+    warm_up_seconds: float
+    peak_memory_mb: float
+
+
+def measure(split: Split, spec: AgentSpec, episode_count: int, on_episode: Callable[[], None]) -> BenchReport:
+    """Play the first `episode_count` episodes of a split, one after the other, with the clock running."""
+    cv2.setNumThreads(1)
+    began = perf_counter()
+    environment = _open(split, 0, spec)
+    warm_up(environment, spec.make(environment))
+    del environment
+    warm = perf_counter() - began
+    timings = []
+    for index in range(episode_count):
+        timings.append(_time_episode(split, index, spec))
+        on_episode()
+    return _report(timings, warm)
+
+
+def _open(split: Split, index: int, spec: AgentSpec) -> Environment:
+    episode = split.episodes[index]
+    return Environment(split.homes[episode.home], episode, HEAD_CAMERA_HALF, spec.needs_truth)
+
+
+def _time_episode(split: Split, index: int, spec: AgentSpec) -> EpisodeTiming:
+    began = perf_counter()
+    environment = _open(split, index, spec)
+    agent = spec.make(environment)
+    opening = perf_counter() - began
+    with stopwatch() as watch:
+        result = play_episode(environment, agent)
+    sections = {name: watch.seconds.get(name, 0.0) for name in SECTIONS}
+    sections[REST] = result.seconds - sum(sections.values())
+    return EpisodeTiming(result.measures.num_steps, result.seconds, opening, sections)
+
+
+def _report(timings: Sequence[EpisodeTiming], warm: float) -> BenchReport:
+    steps = sum(timing.steps for timing in timings)
+    return BenchReport(
+        episode_count=len(timings),
+        step_count=steps,
+        steps_per_second=median(timing.steps / timing.seconds for timing in timings),
+        milliseconds={
+            name: 1000.0 * sum(timing.sections[name] for timing in timings) / steps for name in (*SECTIONS, REST)
+        },
+        opening_seconds=median(timing.opening for timing in timings),
+        warm_up_seconds=warm,
+        peak_memory_mb=peak_memory(),
+    )
