@@ -1,6 +1,7 @@
 """Which part a detection plays in the instruction: the object, the start receptacle, the goal receptacle, or none."""
 
 from collections.abc import Callable
+
 from uniteam.interface import Detection, Instruction
 from uniteam.mind.perception.vocabulary import ClassRole
 

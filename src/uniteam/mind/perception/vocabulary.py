@@ -1,4 +1,4 @@
-"""Which of the instruction's words a detection answers to: object, start receptacle, goal receptacle, or something else."""
+"""Which word of the instruction a detection answers to: object, start receptacle, goal receptacle, or none."""
 
 from enum import IntEnum
 

@@ -1,0 +1,109 @@
+"""Searching for something on the map and driving to it, one step at a time."""
+
+from dataclasses import dataclass
+from enum import Enum, auto
+
+import numpy as np
+
+from uniteam.geometry import BasePose
+from uniteam.interface import DiscreteAction
+from uniteam.mind.agents.memory import Memory
+from uniteam.mind.agents.misses import Misses
+from uniteam.mind.manipulation.skill import Step
+from uniteam.mind.manipulation.view import View
+from uniteam.mind.navigation.exploration import ChooseGoal, plan_first
+from uniteam.mind.navigation.goal import Goal, GoalKind
+from uniteam.mind.navigation.planner import Plan
+from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.timing import section
+
+FULL_TURN = 12
+"""Turns of 30 degrees."""
+
+
+class Finding(Enum):
+    """What a step of a search knows."""
+
+    NOTHING = auto()
+    IN_SIGHT = auto()
+    GIVEN_UP = auto()
+
+
+@dataclass(frozen=True)
+class Search:
+    """What is searched for.
+
+    Attributes:
+        target: the kind of goal that ends it.
+        role: the class that is searched for.
+    """
+
+    target: GoalKind
+    role: ClassRole
+
+
+OBJECT_SEARCH = Search(GoalKind.OBJECT, ClassRole.OBJECT)
+RECEPTACLE_SEARCH = Search(GoalKind.GOAL_RECEPTACLE, ClassRole.GOAL_RECEPTACLE)
+
+
+def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, Finding]:
+    """Return the next step of a search, and what it knows; no step where the robot stands before what it searched."""
+    base = view.observation.base_to_start
+    choices, misses = _choices(search, memory)
+    with section("planner"):
+        found = plan_first(memory.planner, memory.bird_map, base, [misses.avoided_by(choose) for choose in choices])
+    if found is None:
+        return _look_again(memory)
+    memory.idle_turns = 0
+    goal, plan = memory.goal, memory.plan = found
+    finding = Finding.IN_SIGHT if goal.kind is search.target else Finding.NOTHING
+    if plan.action is not None:
+        return Step(plan.action, _reason(goal, plan, memory)), finding
+    if finding is Finding.IN_SIGHT:
+        memory.planner.interrupt()
+        return None, finding
+    return Step(DiscreteAction.TURN_LEFT, f"I have come to the {_words(goal, memory)} and look around."), finding
+
+
+def _choices(search: Search, memory: Memory) -> tuple[tuple[ChooseGoal, ...], Misses]:
+    if search is OBJECT_SEARCH:
+        return memory.config.find_object, memory.object_misses
+    return memory.config.find_receptacle, memory.place_misses
+
+
+def _look_again(memory: Memory) -> tuple[Step | None, Finding]:
+    """Turn once around where nothing is left to head for; give up when that has changed nothing."""
+    memory.idle_turns += 1
+    if memory.idle_turns > FULL_TURN:
+        return None, Finding.GIVEN_UP
+    return Step(DiscreteAction.TURN_LEFT, "Nothing is left that I can get to, so I look around again."), Finding.NOTHING
+
+
+def _reason(goal: Goal, plan: Plan, memory: Memory) -> str:
+    what = _words(goal, memory)
+    if plan.short_term_goal is None:
+        return f"I am at the {what} and turn to face it."
+    if goal.kind is GoalKind.FRONTIER:
+        return f"I have not found it yet and explore a frontier {plan.distance:.1f} m away."
+    nearly = "" if plan.reachable else ", as near as I can get"
+    return f"I know of the {what} and drive there{nearly} ({plan.distance:.1f} m to go)."
+
+
+def _words(goal: Goal, memory: Memory) -> str:
+    instruction = memory.instruction
+    names = {
+        GoalKind.OBJECT: instruction.object_category,
+        GoalKind.START_RECEPTACLE: instruction.start_receptacle,
+        GoalKind.GOAL_RECEPTACLE: instruction.goal_receptacle,
+        GoalKind.FRONTIER: "frontier",
+    }
+    return names[goal.kind].replace("_", " ")
+
+
+def faced_point(view: View, role: ClassRole) -> tuple[float, float]:
+    """Return (x, y) (m, start frame) of the nearest thing of a role in view, or else of what is half a metre ahead."""
+    base: BasePose = view.observation.base_to_start
+    points = view.nearest(role, np.zeros(3))
+    ahead = points[:, :2].mean(axis=0) if len(points) else np.array([0.5, 0.0])
+    x, y = (base.matrix() @ [*ahead, 0.0, 1.0])[:2]
+    return float(x), float(y)
