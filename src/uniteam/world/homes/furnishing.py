@@ -8,6 +8,7 @@ import numpy as np
 from numpy.random import Generator
 
 from uniteam.world.assets.catalogue import Catalogue, Model, Pool
+from uniteam.world.homes.doors import fitting_leaves, open_leaves
 from uniteam.world.homes.floor_plan import FloorPlan, PlannedRoom, Rect
 from uniteam.world.homes.furniture_kinds import models_of_kind
 from uniteam.world.homes.furniture_rules import RULES, Rule
@@ -36,6 +37,11 @@ class FurnitureShop:
     catalogue: Catalogue
     pool: Pool
 
+    @property
+    def doors(self) -> tuple[Model, ...]:
+        """The leaves of doors, sorted by id."""
+        return tuple(sorted((m for m in self.catalogue.models.values() if m.role == "door"), key=lambda m: m.id))
+
     def choose(self, kind: str, rng: Generator) -> Model | None:
         """Return a model of a kind, or None where the catalogue has none."""
         models = models_of_kind(self.catalogue, kind, self.pool)
@@ -43,13 +49,47 @@ class FurnitureShop:
 
 
 def furnish(
-    plan: FloorPlan, walls: Sequence[PlannedWall], shop: FurnitureShop, rng: Generator
+    plan: FloorPlan, walls: Sequence[PlannedWall], shop: FurnitureShop, ceiling: int, rng: Generator
 ) -> tuple[FurnishedRoom, ...]:
-    """Return every room with its furniture."""
+    """Return every room with its furniture, after the leaves of the doors have found their places.
+
+    Args:
+        plan, walls: what to furnish.
+        shop: where the models come from.
+        ceiling: its height (cm).
+        rng: for every choice.
+    """
+    floors = [bare_floor(index, room, walls) for index, room in enumerate(plan)]
+    leaves = _hang_doors(plan, walls, floors, shop, rng)
     return tuple(
-        FurnishedRoom(room, tuple(_Furnisher(room, bare_floor(index, room, walls), shop, rng).furnish()))
+        FurnishedRoom(room, (*leaves[index], *_Furnisher(room, floors[index], shop, ceiling, rng).furnish()))
         for index, room in enumerate(plan)
     )
+
+
+def _hang_doors(
+    plan: FloorPlan, walls: Sequence[PlannedWall], floors: Sequence[RoomFloor], shop: FurnitureShop, rng: Generator
+) -> list[list[Placement]]:
+    """Return the open leaves in each room; a door whose leaf would be in the way has none."""
+    leaves: list[list[Placement]] = [[] for _ in plan]
+    style = rng.permutation(1000)
+    for wall in walls:
+        for opening in wall.openings:
+            models = fitting_leaves(shop.doors, opening) if opening.kind == "door" else []
+            if models:
+                model = models[int(style[len(models)]) % len(models)]
+                ways = open_leaves(plan, wall, opening, model, rng)
+                found = next(((room, leaf) for room, leaf in ways if _has_space(floors[room], leaf)), None)
+                if found is not None:
+                    room, leaf = found
+                    floors[room].take(leaf.volume, ())
+                    leaves[room].append(leaf)
+    return leaves
+
+
+def _has_space(floor: RoomFloor, leaf: Placement) -> bool:
+    row = np.array([leaf.volume.as_row()], dtype=np.int64)
+    return bool(floor.unobstructed(row)[0]) and floor.stays_passable(leaf.volume, ())
 
 
 def bare_floor(index: int, room: PlannedRoom, walls: Sequence[PlannedWall]) -> RoomFloor:
@@ -72,8 +112,8 @@ def _clipped(rect: Rect, inner: Rect) -> Rect:
 class _Furnisher:
     """Furnishes one room."""
 
-    def __init__(self, room: PlannedRoom, floor: RoomFloor, shop: FurnitureShop, rng: Generator) -> None:
-        self._room, self._floor, self._shop, self._rng = room, floor, shop, rng
+    def __init__(self, room: PlannedRoom, floor: RoomFloor, shop: FurnitureShop, ceiling: int, rng: Generator) -> None:
+        self._room, self._floor, self._shop, self._ceiling, self._rng = room, floor, shop, ceiling, rng
         self._standing: list[tuple[str, Placement]] = []
 
     def furnish(self) -> Iterator[Placement]:
@@ -98,7 +138,7 @@ class _Furnisher:
 
     def _place(self, rule: Rule, kind: str, model: Model) -> bool:
         for anchor in self._anchors(rule):
-            site = Site(self._floor.inner, 255, anchor, self._rng)
+            site = Site(self._floor.inner, self._ceiling, anchor, self._rng)
             placement = self._first_fitting(rule.place(site, model))
             if placement is not None:
                 self._floor.take(placement.volume, _sides(placement))

@@ -24,6 +24,8 @@ _POOLS: tuple[Pool, ...] = ("train", "test")
 _CEILINGS = (250, 260, 270)
 _FEWEST_FURNITURE = 18
 _FEWEST_RECEPTACLE_CLASSES = 8
+_SCATTERINGS = 4
+"""How often objects are scattered in a layout before another one is drawn."""
 _ROOM_TO_STAND = 0.25
 """The robot's centre reaches at least so much of every room (m2)."""
 
@@ -31,7 +33,7 @@ _ROOM_TO_STAND = 0.25
 def generate_home(seed: int, pool: Pool = "test") -> Home:
     """Return the furnished home of a seed.
 
-    Everything but the objects' settled poses is the same on every machine; those are the same on one machine.
+    Everything but the objects is the same on every machine; where they come to rest is the same on one machine.
 
     Args:
         seed: not negative.
@@ -39,30 +41,37 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
     """
     catalogue = load_catalogue()
     for attempt in count():
-        drawn = _draw(seed, pool, catalogue, np.random.default_rng([seed, _POOLS.index(pool), attempt]))
-        if drawn is None or not _is_roomy(drawn, catalogue):
+        seeds = [seed, _POOLS.index(pool), attempt]
+        home = _draw_layout(f"{pool}-{seed}", seed, FurnitureShop(catalogue, pool), np.random.default_rng(seeds))
+        if home is None or not _is_roomy(home, catalogue):
             continue
-        home = settle(drawn, catalogue)
-        if sum(instance.movable for instance in home.instances) >= MIN_OBJECT_COUNT:
-            return home
+        for scattering in range(_SCATTERINGS):
+            rng = np.random.default_rng([*seeds, scattering])
+            cluttered = settle(_with_objects(home, ObjectStock(catalogue, pool, rng), rng), catalogue)
+            if sum(instance.movable for instance in cluttered.instances) >= MIN_OBJECT_COUNT:
+                return cluttered
     raise AssertionError("unreachable")
 
 
-def _draw(seed: int, pool: Pool, catalogue: Catalogue, rng: Generator) -> Home | None:
-    """Return a home whose objects hover a hair above where they will lie, or None where the draw is a poor one."""
+def _draw_layout(name: str, seed: int, shop: FurnitureShop, rng: Generator) -> Home | None:
+    """Return a furnished home without objects, or None where the draw is a poor one."""
     plan = draw_floor_plan(rng)
     walls = draw_walls(plan, rng)
     if walls is None:
         return None
     ceiling = int(rng.choice(_CEILINGS))
-    stage = build_stage(plan, walls, ceiling, rng)
-    rooms = furnish(plan, walls, FurnitureShop(catalogue, pool), rng)
+    rooms = furnish(plan, walls, shop, ceiling, rng)
     furniture = [_instance(placement, room) for room in rooms for placement in room.placements]
     if not _is_furnished(furniture):
         return None
-    kinds = {room.name: room.kind for room in plan}
-    objects = scatter(furniture, kinds, ObjectStock(catalogue, pool, rng), rng)
-    return Home(f"{pool}-{seed}", stage, _numbered([*furniture, *objects]), seed)
+    return Home(name, build_stage(plan, walls, ceiling, rng), _numbered(furniture), seed)
+
+
+def _with_objects(home: Home, stock: ObjectStock, rng: Generator) -> Home:
+    """Return the home with objects a hair above where they will lie."""
+    room_kinds = {room.name: room.kind for room in home.stage.rooms}
+    objects = scatter(home.instances, room_kinds, stock, rng)
+    return replace(home, instances=_numbered([*home.instances, *objects]))
 
 
 def _instance(placement: Placement, room: FurnishedRoom) -> Instance:

@@ -1,7 +1,6 @@
 """Let the objects of a drawn home come to rest, keep those that lie on a receptacle, and say which one it is."""
 
 from collections import Counter
-from collections.abc import Mapping
 from dataclasses import replace
 
 import mujoco
@@ -68,8 +67,3 @@ def _settled(instance: Instance, physics: Physics) -> Instance:
     x, y, z = (round(float(v), 5) for v in pose[:3, 3])
     w, i, j, k = (round(float(v), 6) + 0.0 for v in quaternion)
     return replace(instance, position=(x, y, z), quaternion=(w, i, j, k))
-
-
-def rooms_by_kind(home: Home) -> Mapping[str, str]:
-    """Return the kind of each room by its name."""
-    return {room.name: room.kind for room in home.stage.rooms}

@@ -1,0 +1,76 @@
+"""Leaves for doors: each stands open, folded back against its wall or along the wall beside it, out of the way."""
+
+from collections.abc import Iterator, Sequence
+
+from numpy.random import Generator
+
+from uniteam.world.assets.catalogue import Model
+from uniteam.world.homes.floor_plan import FloorPlan
+from uniteam.world.homes.openings import WALL_THICKNESS, PlannedOpening, PlannedWall
+from uniteam.world.homes.placing import Placement
+
+_FROM_WALL = 4
+"""Handles keep a leaf this far from what it is folded against (cm)."""
+_NEAR = 40
+"""A door so near to a corner opens against the wall beside it (cm)."""
+
+
+def open_leaves(
+    plan: FloorPlan, wall: PlannedWall, opening: PlannedOpening, model: Model, rng: Generator
+) -> Iterator[tuple[int, Placement]]:
+    """Yield (room index, leaf) for every way a door may stand open, those into the smaller room first."""
+    sides = sorted((room for room in wall.rooms if room is not None), key=lambda room: plan[room].rect.area)
+    ends = (opening.start, opening.end) if rng.random() < 0.5 else (opening.end, opening.start)
+    for room in sides:
+        upward = room == wall.rooms[1]
+        for hinge in ends:
+            outward = -1 if hinge == opening.start else 1
+            for leaf in _ways_to_fold(wall, model, hinge, outward, upward):
+                yield room, leaf
+
+
+def _ways_to_fold(wall: PlannedWall, model: Model, hinge: int, outward: int, upward: bool) -> Iterator[Placement]:
+    """Yield the leaf along the side wall where one is near, then flat against the door's own wall.
+
+    Args:
+        wall: with the door.
+        model: of the leaf.
+        hinge: where along the wall it hangs (cm).
+        outward: the direction along the wall that leads away from the opening.
+        upward: whether it opens to the wall's upper (or right) side.
+    """
+    half_width, half_thickness = Placement(model, 0, 0, 0).half_size
+    away = 1 if upward else -1
+    to_corner = hinge if outward < 0 else wall.length - hinge
+    if to_corner <= _NEAR:
+        along = wall.start + hinge + outward * (half_thickness + 1)
+        across = wall.across + away * (WALL_THICKNESS // 2 + half_width + 2)
+        yield _placed(wall, model, along, across, _back_along(wall, outward))
+    along = wall.start + hinge + outward * (half_width + 2)
+    across = wall.across + away * (WALL_THICKNESS // 2 + half_thickness + _FROM_WALL)
+    yield _placed(wall, model, along, across, _back_across(wall, -away))
+
+
+def _placed(wall: PlannedWall, model: Model, along: int, across: int, quarters: int) -> Placement:
+    x, y = (along, across) if wall.horizontal else (across, along)
+    return Placement(model, x, y, quarters)
+
+
+def _back_along(wall: PlannedWall, direction: int) -> int:
+    """Return the quarter turns that turn a model's back to one end of the wall."""
+    if wall.horizontal:
+        return 1 if direction < 0 else 3
+    return 2 if direction < 0 else 0
+
+
+def _back_across(wall: PlannedWall, direction: int) -> int:
+    """Return the quarter turns that turn a model's back across the wall, to its lower or its upper side."""
+    if wall.horizontal:
+        return 2 if direction < 0 else 0
+    return 1 if direction < 0 else 3
+
+
+def fitting_leaves(models: Sequence[Model], opening: PlannedOpening) -> list[Model]:
+    """Return the leaves that close an opening with a hand's breadth of frame at most."""
+    width, height = opening.end - opening.start, opening.top
+    return [m for m in models if width - 16 <= 100 * m.size[0] <= width + 2 and 100 * m.size[2] <= height + 2]
