@@ -6,7 +6,8 @@ holds and releases, it does not push.
 """
 
 import copy
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -69,7 +70,7 @@ class Physics:
         self.version = 0
         self._index = {name: k for k, name in enumerate(self.names)}
         self._data = mujoco.MjData(self.model.mujoco)
-        self._looking = mujoco.MjData(self.model.mujoco)
+        self._still = mujoco.MjData(self.model.mujoco)
         self._slow_steps = np.zeros(len(self.names), np.int64)
         self._removed: frozenset[str] = frozenset()
         self._is_disturbed = True
@@ -129,7 +130,10 @@ class Physics:
     def contacts(self, name: str) -> tuple[Contact, ...]:
         """Return where a body touches others, walls or the floor now."""
         self._number(name)
-        return self._contacts_of(name, self._look())
+        data = self.still_data()
+        with self._sleepless():
+            mujoco.mj_collision(self.model.mujoco, data)
+        return self._contacts_of(name, data.contact)
 
     def touching(self, name: str) -> frozenset[str]:
         """Return what a body touches: names of instances, "wall", "floor"."""
@@ -149,6 +153,13 @@ class Physics:
         self._is_disturbed = state.is_disturbed
         self.version += 1
 
+    def still_data(self) -> Any:
+        """Return MuJoCo's data with every geom where it is now, the sleeping ones too; callers may change it."""
+        with self._sleepless():
+            self._still.qpos[:] = self._data.qpos
+            mujoco.mj_kinematics(self.model.mujoco, self._still)
+        return self._still
+
     def _step(self) -> None:
         mujoco.mj_step(self.model.mujoco, self._data)
         self._is_disturbed = False
@@ -158,15 +169,12 @@ class Physics:
         is_slow = (linear < REST_LINEAR_SPEED) & (angular < REST_ANGULAR_SPEED)
         self._slow_steps = np.where(is_slow, self._slow_steps + 1, 0)
 
-    def _look(self) -> Any:
-        """Return every contact of the present poses, also those of sleeping bodies."""
-        self._looking.qpos[:] = self._data.qpos
-        flags = self.model.mujoco.opt.enableflags
-        self.model.mujoco.opt.enableflags = flags & ~_SLEEP
-        mujoco.mj_kinematics(self.model.mujoco, self._looking)
-        mujoco.mj_collision(self.model.mujoco, self._looking)
-        self.model.mujoco.opt.enableflags = flags
-        return self._looking.contact
+    @contextmanager
+    def _sleepless(self) -> Iterator[None]:
+        options = self.model.mujoco.opt
+        options.enableflags &= ~_SLEEP
+        yield
+        options.enableflags |= _SLEEP
 
     def _contacts_of(self, name: str, contacts: Any) -> tuple[Contact, ...]:
         found = []

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from uniteam.geometry import yaw_quaternion
 from uniteam.world.assets.catalogue import Box, Catalogue, CollisionShape, Model
 from uniteam.world.homes.home import Home, Instance
+from uniteam.world.simulation.arm_shapes import ARM_BOXES
 from uniteam.world.simulation.shapes import shape_vertices, wall_boxes, wall_to_world
 
 TIMESTEP = 0.004
@@ -17,10 +18,12 @@ TIMESTEP = 0.004
 
 FLOOR = "floor"
 WALL = "wall"
+ARM = "arm"
 
 _FRICTION = (0.9, 0.01, 0.002)
 _SLEEP_SPEED = 1e-3
 _THINNEST = 1e-3
+_NO_ROTATION = np.array([1.0, 0.0, 0.0, 0.0])
 
 
 @dataclass(frozen=True)
@@ -30,14 +33,17 @@ class HomeModel:
     Attributes:
         mujoco: the MjModel; body k + 1 is the k-th name of `bodies`, with a free joint.
         bodies: names of the movable instances.
-        owners: the instance of each geom, or "floor" or "wall".
-        vertices: (V, 3) vertices of each geom in its body's frame (m); of the floor (a plane): none.
+        owners: the instance of each geom, or "floor", "wall" or "arm".
+        low, high: (G, 3) corners of each geom's bounding box in its body's frame (m); the floor's are not finite.
+        arm: the geoms of `ARM_BOXES`, in their order; they touch nothing, they are there to measure distances.
     """
 
     mujoco: Any
     bodies: tuple[str, ...]
     owners: tuple[str, ...]
-    vertices: tuple[NDArray[np.float64], ...]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+    arm: range
 
 
 def compile_home(home: Home, catalogue: Catalogue) -> HomeModel:
@@ -50,12 +56,13 @@ class _Builder:
         self._catalogue = catalogue
         self._spec = mujoco.MjSpec()
         self._owners: list[str] = []
-        self._vertices: list[NDArray[np.float64]] = []
+        self._corners: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
         self._hulls: set[str] = set()
 
     def build(self, home: Home) -> HomeModel:
         self._set_options()
         self._add_floor()
+        self._add_arm()
         self._add_walls(home)
         for instance in home.instances:
             if not instance.movable:
@@ -64,7 +71,8 @@ class _Builder:
         for instance in movable:
             self._add_movable(instance)
         names = tuple(instance.name for instance in movable)
-        return HomeModel(self._spec.compile(), names, tuple(self._owners), tuple(self._vertices))
+        low, high = (np.array(corners) for corners in zip(*self._corners, strict=True))
+        return HomeModel(self._spec.compile(), names, tuple(self._owners), low, high, range(1, 1 + len(ARM_BOXES)))
 
     def _set_options(self) -> None:
         self._spec.option.timestep = TIMESTEP
@@ -75,7 +83,13 @@ class _Builder:
 
     def _add_floor(self) -> None:
         self._spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[0, 0, 1])
-        self._note(FLOOR, np.zeros((0, 3)))
+        self._note(FLOOR, np.array([[-np.inf, -np.inf, -np.inf], [np.inf, np.inf, 0.0]]))
+
+    def _add_arm(self) -> None:
+        for part in ARM_BOXES:
+            geom = self._add_box(self._spec.worldbody, part.box.size, np.array(part.box.center), _NO_ROTATION)
+            geom.contype = geom.conaffinity = 0
+            self._note(ARM, shape_vertices(part.box))
 
     def _add_walls(self, home: Home) -> None:
         for start, direction, box in wall_boxes(home.stage):
@@ -103,7 +117,7 @@ class _Builder:
     def _add_shape(self, body: Any, name: str, shape: CollisionShape, at: Instance | None) -> None:
         """Add a shape to a body, at an instance's place or in the body's own frame."""
         to_body = np.eye(4) if at is None else at.model_to_world()
-        quaternion = np.array([1.0, 0.0, 0.0, 0.0]) if at is None else np.array(at.quaternion)
+        quaternion = _NO_ROTATION if at is None else np.array(at.quaternion)
         box = _as_box(shape)
         if box is not None:
             self._add_box(body, box.size, to_body[:3, :3] @ box.center + to_body[:3, 3], quaternion)
@@ -114,13 +128,13 @@ class _Builder:
             self._hulls.add(name)
         body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, pos=to_body[:3, 3], quat=quaternion)
 
-    def _add_box(self, body: Any, size: Any, center: NDArray[np.float64], quaternion: NDArray[np.float64]) -> None:
+    def _add_box(self, body: Any, size: Any, center: NDArray[np.float64], quaternion: NDArray[np.float64]) -> Any:
         half = np.maximum(size, _THINNEST) / 2
-        body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=half, pos=center, quat=quaternion)
+        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=half, pos=center, quat=quaternion)
 
     def _note(self, owner: str, vertices: NDArray[np.float64]) -> None:
         self._owners.append(owner)
-        self._vertices.append(vertices)
+        self._corners.append((vertices.min(axis=0), vertices.max(axis=0)))
 
 
 def _hull_name(model: Model, number: int) -> str:

@@ -1,0 +1,93 @@
+"""What an action asks of the base and the joints, and the samples of a motion between two states."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+
+from uniteam.geometry import BasePose, wrap_angle
+from uniteam.interface import BaseDisplacement, Joints
+from uniteam.stretch import clamp_joints
+
+FORWARD_STEP = 0.25
+"""A discrete step forward (m)."""
+TURN_STEP = math.radians(30.0)
+"""A discrete turn (rad)."""
+MINIMUM_MOVE, MAXIMUM_MOVE = 0.1, 1.0
+"""Bounds of a continuous displacement along an axis (m): a shorter one is not done, a longer one is cut."""
+MINIMUM_TURN, MAXIMUM_TURN = math.radians(5.0), math.pi
+"""The same for a turn (rad)."""
+SAMPLE_TRAVEL = 0.02
+"""No point of the arm travels further than this (m) from one sample of a motion to the next."""
+
+_GRIPPER_REACH = 0.30
+_ARM_REACH = 0.45
+_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True)
+class RobotState:
+    """Where the robot is: its base (world) and its joints."""
+
+    base: BasePose
+    joints: Joints
+
+
+def admissible(displacement: BaseDisplacement) -> BaseDisplacement:
+    """Return the displacement that a continuous action comes to: cut to the maxima, nothing below the minima."""
+    return BaseDisplacement(
+        _bounded(displacement.x, MINIMUM_MOVE, MAXIMUM_MOVE),
+        _bounded(displacement.y, MINIMUM_MOVE, MAXIMUM_MOVE),
+        _bounded(displacement.heading, MINIMUM_TURN, MAXIMUM_TURN),
+    )
+
+
+def _bounded(value: float, least: float, most: float) -> float:
+    return 0.0 if abs(value) < least - _TOLERANCE else min(max(value, -most), most)
+
+
+def translated(state: RobotState, x: float, y: float) -> RobotState:
+    """Return the state after the base has moved by x and y (m, base frame)."""
+    return RobotState(state.base.compose(BasePose(x, y, 0.0)), state.joints)
+
+
+def turned(state: RobotState, heading: float) -> RobotState:
+    """Return the state after the base has turned on the spot (rad)."""
+    return RobotState(state.base.compose(BasePose(0.0, 0.0, heading)), state.joints)
+
+
+def with_joints(state: RobotState, joints: Joints) -> RobotState:
+    """Return the state with the joints at the given positions, or as near as their ranges allow."""
+    return RobotState(state.base, clamp_joints(joints))
+
+
+def samples(start: RobotState, end: RobotState, turn: float, held_radius: float) -> Iterator[RobotState]:
+    """Yield the states of a motion after its start, the end among them, at most `SAMPLE_TRAVEL` apart.
+
+    Args:
+        start, end: the states at either end.
+        turn: by how much the base turns on the way (rad); half a turn to the left is not one to the right.
+        held_radius: how far what the gripper holds reaches from the grasp centre (m).
+    """
+    delta = end.joints - start.joints
+    wrist = abs(delta.wrist_yaw) + abs(delta.wrist_pitch) + abs(delta.wrist_roll)
+    reach = _ARM_REACH + held_radius + max(start.joints.arm, end.joints.arm)
+    travel = start.base.distance_to(end.base.x, end.base.y) + reach * abs(turn)
+    travel += abs(delta.lift) + abs(delta.arm) + (_GRIPPER_REACH + held_radius) * wrist
+    count = max(1, math.ceil(travel / SAMPLE_TRAVEL))
+    for k in range(1, count):
+        yield _between(start, end, turn, k / count)
+    yield end
+
+
+def _between(start: RobotState, end: RobotState, turn: float, share: float) -> RobotState:
+    base = BasePose(
+        start.base.x + share * (end.base.x - start.base.x),
+        start.base.y + share * (end.base.y - start.base.y),
+        wrap_angle(start.base.heading + share * turn),
+    )
+    return RobotState(base, start.joints if start.joints == end.joints else _blend(start.joints, end.joints, share))
+
+
+def _blend(start: Joints, end: Joints, share: float) -> Joints:
+    values = ((getattr(start, f.name), getattr(end, f.name)) for f in fields(Joints))
+    return Joints(*(a + share * (b - a) for a, b in values))
