@@ -11,10 +11,10 @@ from uniteam.world.homes.floor_plan import (
     MIN_FLOOR_AREA,
     MIN_ROOM_COUNT,
     FloorPlan,
-    Rect,
     draw_floor_plan,
 )
 from uniteam.world.homes.openings import PlannedWall, draw_walls
+from uniteam.world.homes.rect import Rect
 from uniteam.world.homes.room_floor import RoomFloor, Volume, standing_strip
 
 SEEDS = range(60)

@@ -1,6 +1,7 @@
 """Small objects on what can hold them: where each goes is decided here by geometry; physics settles them afterwards."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -9,8 +10,9 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from uniteam.geometry import yaw_quaternion
-from uniteam.world.assets.catalogue import Catalogue, Model, Pool, SupportSurface
+from uniteam.world.assets.catalogue import Catalogue, Model, SupportSurface
 from uniteam.world.homes.home import Instance
+from uniteam.world.homes.object_stock import ObjectStock
 
 MIN_OBJECT_COUNT, MAX_OBJECT_COUNT = 20, 60
 _DROP = 0.006
@@ -20,26 +22,8 @@ _EDGE = 0.015
 _HIGHEST = 1.25
 """Surfaces above this are out of the robot's sight and reach, and stay clear (m)."""
 
-_FITTING_ROOMS: Mapping[str, frozenset[str]] = {
-    room: frozenset(words)
-    for room, words in {
-        "kitchen": ("cup", "mug", "plate", "bowl", "bottle", "glass", "fork", "knife", "spoon", "pan", "pot", "kettle",
-                    "electric_kettle", "teapot", "bread", "apple", "banana", "toy_food", "spatula", "ladle", "jar",
-                    "toaster", "butter_dish", "canister", "wine_bottle", "squeezer", "tray", "salt_and_pepper_shaker",
-                    "utensil_holder_cup", "sponge", "can", "dish", "blender", "coffee_maker", "cutting_board"),
-        "bathroom": ("bath_towel", "towel", "soap_dispenser", "toiletry", "sponge", "cloth", "toothbrush",
-                     "spray_bottle", "hair_dryer", "toilet_paper", "shampoo", "basket"),
-        "living_room": ("remote_control", "remote", "book", "vase", "candle", "picture_frame", "lamp", "newspaper",
-                        "gaming_console", "board_game", "statue", "clock", "radio", "plant_container", "magazine"),
-        "bedroom": ("book", "lamp", "clock", "watch", "spectacles", "hat", "handbag", "stuffed_toy", "cellphone",
-                    "doll", "headphones", "shoe", "toy_animal", "picture_frame"),
-        "office": ("laptop", "pen", "pencil_case", "stapler", "file_sorter", "scissors", "tape", "calculator", "book",
-                   "telephone", "lamp", "cup", "mouse", "keyboard", "calendar", "camera"),
-        "hall": ("shoe", "hat", "handbag", "keychain", "umbrella", "helmet", "backpack", "cellphone"),
-        "laundry": ("spray_bottle", "bath_towel", "cloth", "basket", "box", "sponge"),
-        "dining_room": ("plate", "glass", "candle", "bowl", "wine_bottle", "vase", "cup", "tray", "fork", "knife"),
-    }.items()
-}  # fmt: skip
+_MOST_ON_ONE = 7
+"""No piece of furniture holds more objects than this."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +50,7 @@ class _Place:
 
 
 def scatter(
-    furniture: Sequence[Instance], room_kinds: Mapping[str, str], stock: "ObjectStock", rng: Generator
+    furniture: Sequence[Instance], room_kinds: Mapping[str, str], stock: ObjectStock, rng: Generator
 ) -> tuple[Instance, ...]:
     """Return objects a hair above the surfaces of the furniture.
 
@@ -77,52 +61,35 @@ def scatter(
         rng: for every choice.
     """
     places = [place for piece in furniture for place in _places(piece, stock.catalogue, room_kinds[piece.room])]
-    blocked = [_footprint(piece, stock.catalogue[piece.model]) for piece in furniture]
+    footprints = [_rectangle(stock.catalogue[piece.model], piece.model_to_world()) for piece in furniture]
+    space = _quotas(places, rng)
     wanted = int(rng.integers(MIN_OBJECT_COUNT + 8, MAX_OBJECT_COUNT - 5))
     objects: list[Instance] = []
     boxes: dict[int, list[NDArray[np.float64]]] = {}
-    for index in _visits(places, wanted, rng):
-        if len(objects) == wanted:
-            break
+    for index in _visits(places, space, 8 * wanted, rng):
         place = places[index]
-        taken = boxes.setdefault(index, _standing_on(place, furniture, blocked))
+        if space[place.furniture.name] == 0:
+            continue
+        taken = boxes.setdefault(index, _standing_on(place, furniture, footprints))
         placed = _try_place(place, taken, stock.choose(place.room_kind, rng), rng)
         if placed is not None:
-            taken.append(placed[1])
             objects.append(placed[0])
+            taken.append(placed[1])
+            space[place.furniture.name] -= 1
+        if len(objects) == wanted:
+            break
     return tuple(objects)
 
 
-class ObjectStock:
-    """The graspable objects a home of one pool may hold, and the few categories that occur again and again in it."""
-
-    def __init__(self, catalogue: Catalogue, pool: Pool, rng: Generator) -> None:
-        self.catalogue = catalogue
-        self._models: dict[str, list[Model]] = {}
-        for model in sorted(catalogue.models.values(), key=lambda m: m.id):
-            if model.role == "object" and _is_allowed(model, catalogue, pool):
-                self._models.setdefault(model.category, []).append(model)
-        self._categories = sorted(self._models)
-        size = min(6, len(self._categories))
-        self._frequent = [str(name) for name in rng.choice(self._categories, size=size, replace=False)]
-
-    def choose(self, room_kind: str, rng: Generator) -> Model:
-        """Return a model: often one that fits the room or is frequent in this home, as often any."""
-        fitting = [name for name in self._categories if name in _FITTING_ROOMS.get(room_kind, ())]
-        draw = rng.random()
-        if draw < 0.4 and fitting:
-            names = fitting
-        elif draw < 0.6:
-            names = self._frequent
-        else:
-            names = self._categories
-        models = self._models[names[int(rng.integers(len(names)))]]
-        return models[int(rng.integers(len(models)))]
-
-
-def _is_allowed(model: Model, catalogue: Catalogue, pool: Pool) -> bool:
-    is_unseen = model.category in catalogue.unseen_categories
-    return model.pool == "train" and not is_unseen if pool == "train" else model.pool == "test" or is_unseen
+def _quotas(places: Sequence[_Place], rng: Generator) -> dict[str, int]:
+    """Return how many objects each piece of furniture may hold: none for one in five, few on small ones."""
+    areas: dict[str, float] = {}
+    for place in places:
+        areas[place.furniture.name] = areas.get(place.furniture.name, 0.0) + place.area
+    return {
+        name: 0 if rng.random() < 0.2 else 1 + min(_MOST_ON_ONE - 1, int(rng.integers(0, 2 + int(6 * area))))
+        for name, area in sorted(areas.items())
+    }
 
 
 def _places(piece: Instance, catalogue: Catalogue, room_kind: str) -> Iterator[_Place]:
@@ -140,25 +107,18 @@ def _outline(surface: SupportSurface, to_world: NDArray[np.float64]) -> NDArray[
     return np.array(surface.outline) @ to_world[:2, :2].T + to_world[:2, 3]
 
 
-def _visits(places: Sequence[_Place], wanted: int, rng: Generator) -> Iterator[int]:
-    """Yield indices of places to try: a part of the furniture, larger surfaces more often, some again and again."""
-    if not places:
+def _visits(places: Sequence[_Place], space: Mapping[str, int], tries: int, rng: Generator) -> Iterator[int]:
+    """Yield indices of places to try, larger surfaces more often; a piece's many shelves share its chances."""
+    counts = Counter(place.furniture.name for place in places)
+    weights = [
+        place.area**0.5 / counts[place.furniture.name] ** 0.5 if space[place.furniture.name] else 0.0
+        for place in places
+    ]
+    borders = np.cumsum(np.round(weights, 9))
+    if not places or borders[-1] == 0.0:
         return
-    names = sorted({place.furniture.name for place in places})
-    used = {name for name in names if rng.random() < 0.8}
-    weights = np.array([place.area**0.5 if place.furniture.name in used else 0.0 for place in places])
-    counts = {name: sum(place.furniture.name == name for place in places) for name in names}
-    weights *= [counts[place.furniture.name] ** -0.5 for place in places]
-    if not weights.any():
-        return
-    borders = np.cumsum(weights.round(9))
-    for draw in rng.random(8 * wanted):
+    for draw in rng.random(tries):
         yield min(int(np.searchsorted(borders, draw * borders[-1], side="right")), len(places) - 1)
-
-
-def _footprint(piece: Instance, model: Model) -> NDArray[np.float64]:
-    """Return the (4, 2) corners of an upright instance's bounding rectangle (m, world)."""
-    return _rectangle(model, piece.model_to_world())
 
 
 def _rectangle(model: Model, to_world: NDArray[np.float64], margin: float = 0.0) -> NDArray[np.float64]:

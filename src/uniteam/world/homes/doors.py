@@ -7,7 +7,7 @@ from numpy.random import Generator
 from uniteam.world.assets.catalogue import Model
 from uniteam.world.homes.floor_plan import FloorPlan
 from uniteam.world.homes.openings import WALL_THICKNESS, PlannedOpening, PlannedWall
-from uniteam.world.homes.placing import Placement
+from uniteam.world.homes.placement import Placement
 
 _FROM_WALL = 4
 """Handles keep a leaf this far from what it is folded against (cm)."""

@@ -12,6 +12,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.random import Generator
 
+from uniteam.world.homes.rect import Rect
+
 DAY_KINDS = ("living_room", "kitchen", "dining_room")
 MIN_ROOM_COUNT, MAX_ROOM_COUNT = 4, 8
 MIN_FLOOR_AREA, MAX_FLOOR_AREA = 60.0, 160.0
@@ -37,43 +39,6 @@ ROOM_SIZES = {
     "laundry": RoomSize((5.0, 8.0), 190, 2.2),
     "hall": RoomSize((4.0, 22.0), 140, 10.0),
 }
-
-
-@dataclass(frozen=True)
-class Rect:
-    """An axis-aligned rectangle, [x0, x1] by [y0, y1], in cm."""
-
-    x0: int
-    y0: int
-    x1: int
-    y1: int
-
-    @property
-    def width(self) -> int:
-        """Extent along x (cm)."""
-        return self.x1 - self.x0
-
-    @property
-    def depth(self) -> int:
-        """Extent along y (cm)."""
-        return self.y1 - self.y0
-
-    @property
-    def area(self) -> float:
-        """Area in m2."""
-        return self.width * self.depth / 1e4
-
-    def overlaps(self, other: "Rect") -> bool:
-        """Say whether the interiors meet."""
-        return self.x0 < other.x1 and other.x0 < self.x1 and self.y0 < other.y1 and other.y0 < self.y1
-
-    def contains(self, other: "Rect") -> bool:
-        """Say whether the other lies inside, edges included."""
-        return self.x0 <= other.x0 and self.y0 <= other.y0 and other.x1 <= self.x1 and other.y1 <= self.y1
-
-    def grown(self, margin: int) -> "Rect":
-        """Return the rectangle with every side moved out by `margin` (cm; negative shrinks)."""
-        return Rect(self.x0 - margin, self.y0 - margin, self.x1 + margin, self.y1 + margin)
 
 
 @dataclass(frozen=True)

@@ -9,17 +9,21 @@ from numpy.random import Generator
 
 from uniteam.world.assets.catalogue import Catalogue, Model, Pool
 from uniteam.world.homes.doors import fitting_leaves, open_leaves
-from uniteam.world.homes.floor_plan import FloorPlan, PlannedRoom, Rect
+from uniteam.world.homes.floor_plan import FloorPlan, PlannedRoom
 from uniteam.world.homes.furniture_kinds import models_of_kind
 from uniteam.world.homes.furniture_rules import RULES, Rule
 from uniteam.world.homes.openings import WALL_THICKNESS, PlannedWall
-from uniteam.world.homes.placing import Placement, Site
+from uniteam.world.homes.placement import Placement, Site
+from uniteam.world.homes.rect import Rect
 from uniteam.world.homes.room_floor import RoomFloor, Volume, standing_strip
 
 _DOOR_DEPTH = 70
 _TRIES = 12
 _OPEN_SIDED = {"bed", "table", "chair", "stool", "bench", "hamper", "trunk", "bathtub", "serving_cart", "stand"}
 """Classes that can be used from any side; the others only from their front."""
+
+_USED_FROM_FRONT = {"refrigerator", "oven", "dishwasher", "shower", "fireplace", "piano", "radiator"}
+"""Decor that must not be walled in."""
 
 
 @dataclass(frozen=True)
@@ -139,7 +143,7 @@ class _Furnisher:
     def _place(self, rule: Rule, kind: str, model: Model) -> bool:
         for anchor in self._anchors(rule):
             site = Site(self._floor.inner, self._ceiling, anchor, self._rng)
-            placement = self._first_fitting(rule.place(site, model))
+            placement = self._first_fitting(rule.place(site, model), rule.elbow_room)
             if placement is not None:
                 self._floor.take(placement.volume, _sides(placement))
                 self._standing.append((kind, placement))
@@ -151,12 +155,12 @@ class _Furnisher:
             return [None]
         return [placement for kind, placement in self._standing if kind == rule.anchor]
 
-    def _first_fitting(self, proposals: Iterator[Placement]) -> Placement | None:
+    def _first_fitting(self, proposals: Iterator[Placement], elbow_room: int) -> Placement | None:
         placements = list(proposals)
         if not placements:
             return None
         rows = np.array([p.volume.as_row() for p in placements], dtype=np.int64)
-        fitting = np.flatnonzero(self._floor.unobstructed(rows))
+        fitting = np.flatnonzero(self._floor.unobstructed(rows, elbow_room))
         passable = (
             placements[i]
             for i in islice(fitting.tolist(), _TRIES)
@@ -166,9 +170,10 @@ class _Furnisher:
 
 
 def _sides(placement: Placement) -> tuple[Rect, ...]:
-    """Return where the robot may stand to get at a receptacle; nothing for decor."""
-    if placement.model.role != "receptacle":
+    """Return where the robot may stand to get at a piece; nothing for what only decorates."""
+    category = placement.model.category
+    if placement.model.role != "receptacle" and category not in _USED_FROM_FRONT:
         return ()
-    if placement.model.category not in _OPEN_SIDED:
+    if category not in _OPEN_SIDED:
         return (standing_strip(placement.rect, placement.front),)
     return tuple(standing_strip(placement.rect, step) for step in ((1, 0), (-1, 0), (0, 1), (0, -1)))

@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from uniteam.world.assets.catalogue import Model
-from uniteam.world.homes import placing
-from uniteam.world.homes.placing import Placement, Site
+from uniteam.world.homes import hanging, placing
+from uniteam.world.homes.placement import Placement, Site
 
 Placing = Callable[[Site, Model], Iterator[Placement]]
 
@@ -25,6 +25,7 @@ class Rule:
         count: least and most pieces.
         anchor: kind that the piece relates to; each standing one of that kind is tried in turn.
         min_area: of the room (m2), below which the rule is passed over.
+        elbow_room: kept free around the piece (cm), where it is not placed in relation to what is there.
         one_model: whether all pieces are of one model, as chairs around a table are.
     """
 
@@ -34,6 +35,7 @@ class Rule:
     count: tuple[int, int] = (1, 1)
     anchor: str | None = None
     min_area: float = 0.0
+    elbow_room: int = 0
     one_model: bool = True
 
     @property
@@ -43,19 +45,19 @@ class Rule:
 
 
 _WALLS = (
-    Rule("picture", placing.on_wall, 0.8, (1, 3), one_model=False),
+    Rule("picture", hanging.on_wall, 0.8, (1, 3), one_model=False),
     Rule("plant", placing.in_corner, 0.5, (1, 2), one_model=False),
-    Rule("ceiling_lamp", placing.on_ceiling, 0.7),
-    Rule("curtain", placing.on_wall, 0.0),
+    Rule("ceiling_lamp", hanging.on_ceiling, 0.7),
+    Rule("curtain", hanging.on_wall, 0.0),
 )
 
 RULES: dict[str, tuple[Rule, ...]] = {
     "living_room": (
         Rule(("couch", "corner_couch"), placing.mid_wall),
         Rule("tv_stand", placing.opposite, 0.85, anchor="couch"),
-        Rule("tv", placing.on_top, 1.0, anchor="tv_stand"),
+        Rule("tv", hanging.on_top, 1.0, anchor="tv_stand"),
         Rule("coffee_table", placing.before, 0.9, anchor="couch"),
-        Rule("rug", placing.beneath, 0.7, anchor="coffee_table"),
+        Rule("rug", hanging.beneath, 0.7, anchor="coffee_table"),
         Rule("armchair", placing.facing, 0.8, (1, 2), anchor="coffee_table"),
         Rule("side_table", placing.beside, 0.6, anchor="couch"),
         Rule("floor_lamp", placing.beside, 0.5, anchor="couch"),
@@ -72,7 +74,7 @@ RULES: dict[str, tuple[Rule, ...]] = {
         Rule("serving_cart", placing.against_wall, 0.2),
         Rule("fireplace", placing.mid_wall, 0.25),
         Rule("piano", placing.against_wall, 0.2, min_area=20.0),
-        Rule("picture", placing.over, 0.7, anchor="couch"),
+        Rule("picture", hanging.over, 0.7, anchor="couch"),
         Rule("floor_lamp", placing.in_corner, 0.4),
         *_WALLS,
     ),
@@ -82,7 +84,7 @@ RULES: dict[str, tuple[Rule, ...]] = {
         Rule("oven", placing.in_row, 1.0, anchor="counter"),
         Rule("counter", placing.in_row, 1.0, (1, 2), anchor="counter", one_model=False),
         Rule("refrigerator", placing.in_corner),
-        Rule("hood", placing.over, 0.6, anchor="oven"),
+        Rule("hood", hanging.over, 0.6, anchor="oven"),
         Rule("counter", placing.against_wall, 0.6),
         Rule(("kitchen_table", "dining_table"), placing.in_middle, 0.75, min_area=9.0),
         Rule("dining_chair", placing.around, 1.0, (1, 4), anchor="kitchen_table"),
@@ -101,8 +103,8 @@ RULES: dict[str, tuple[Rule, ...]] = {
     "dining_room": (
         Rule("dining_table", placing.in_middle),
         Rule("dining_chair", placing.around, 1.0, (3, 6), anchor="dining_table"),
-        Rule("rug", placing.beneath, 0.5, anchor="dining_table"),
-        Rule("ceiling_lamp", placing.above, 0.8, anchor="dining_table"),
+        Rule("rug", hanging.beneath, 0.5, anchor="dining_table"),
+        Rule("ceiling_lamp", hanging.above, 0.8, anchor="dining_table"),
         Rule(("cabinet", "small_cabinet"), placing.against_wall, 0.8),
         Rule("serving_cart", placing.against_wall, 0.5),
         Rule("chest_of_drawers", placing.against_wall, 0.5),
@@ -119,7 +121,7 @@ RULES: dict[str, tuple[Rule, ...]] = {
         Rule("wardrobe", placing.against_wall, 0.85),
         Rule("chest_of_drawers", placing.against_wall, 0.65),
         Rule(("trunk", "bench"), placing.at_foot, 0.4, anchor="bed"),
-        Rule("rug", placing.beneath, 0.4, anchor="bed"),
+        Rule("rug", hanging.beneath, 0.4, anchor="bed"),
         Rule("desk", placing.against_wall, 0.3, min_area=13.0),
         Rule("dining_chair", placing.around, 1.0, anchor="desk"),
         Rule("armchair", placing.in_corner, 0.4),
@@ -128,8 +130,8 @@ RULES: dict[str, tuple[Rule, ...]] = {
         Rule("trunk", placing.against_wall, 0.25),
         Rule("any_chair", placing.against_wall, 0.35),
         Rule("stool", placing.in_corner, 0.25),
-        Rule("picture", placing.over, 0.6, anchor="bed"),
-        Rule("mirror", placing.on_wall, 0.4),
+        Rule("picture", hanging.over, 0.6, anchor="bed"),
+        Rule("mirror", hanging.on_wall, 0.4),
         Rule("floor_lamp", placing.in_corner, 0.35),
         *_WALLS,
     ),
@@ -143,7 +145,7 @@ RULES: dict[str, tuple[Rule, ...]] = {
         Rule(("cabinet", "small_cabinet"), placing.against_wall, 0.5),
         Rule("chest_of_drawers", placing.against_wall, 0.3),
         Rule(("couch",), placing.against_wall, 0.3, min_area=11.0),
-        Rule("rug", placing.on_floor, 0.4),
+        Rule("rug", hanging.on_floor, 0.4),
         Rule("stool", placing.in_corner, 0.3),
         Rule("trunk", placing.against_wall, 0.2),
         Rule("floor_lamp", placing.in_corner, 0.4),
@@ -151,18 +153,18 @@ RULES: dict[str, tuple[Rule, ...]] = {
         *_WALLS,
     ),
     "bathroom": (
-        Rule("toilet", placing.against_wall),
-        Rule("bathroom_sink", placing.against_wall),
-        Rule("mirror", placing.over, 0.8, anchor="bathroom_sink"),
+        Rule("toilet", placing.against_wall, elbow_room=18),
+        Rule("bathroom_sink", placing.against_wall, elbow_room=8),
+        Rule("mirror", hanging.over, 0.8, anchor="bathroom_sink"),
         Rule(("bathtub", "shower"), placing.in_corner, 0.85),
         Rule("shower", placing.in_corner, 0.3),
         Rule("hamper", placing.in_corner, 0.6),
         Rule("washer_dryer", placing.against_wall, 0.4),
         Rule(("small_cabinet", "narrow_shelves"), placing.against_wall, 0.6),
         Rule("stool", placing.in_corner, 0.4),
-        Rule("radiator", placing.on_wall, 0.0),
-        Rule("rug", placing.on_floor, 0.3),
-        Rule("ceiling_lamp", placing.on_ceiling, 0.6),
+        Rule("radiator", hanging.on_wall, 0.0),
+        Rule("rug", hanging.on_floor, 0.3),
+        Rule("ceiling_lamp", hanging.on_ceiling, 0.6),
     ),
     "laundry": (
         Rule("washer_dryer", placing.in_corner),
@@ -173,7 +175,7 @@ RULES: dict[str, tuple[Rule, ...]] = {
         Rule("bathroom_sink", placing.against_wall, 0.4),
         Rule("shoe_rack", placing.against_wall, 0.3),
         Rule("trash_can", placing.in_corner, 0.4),
-        Rule("ceiling_lamp", placing.on_ceiling, 0.6),
+        Rule("ceiling_lamp", hanging.on_ceiling, 0.6),
     ),
     "hall": (
         Rule("shoe_rack", placing.against_wall, 0.85),
@@ -183,9 +185,9 @@ RULES: dict[str, tuple[Rule, ...]] = {
         Rule("coat_rack", placing.in_corner, 0.5),
         Rule("stool", placing.in_corner, 0.3),
         Rule("trunk", placing.against_wall, 0.3),
-        Rule("mirror", placing.on_wall, 0.5),
-        Rule("picture", placing.on_wall, 0.7, (1, 3), one_model=False),
+        Rule("mirror", hanging.on_wall, 0.5),
+        Rule("picture", hanging.on_wall, 0.7, (1, 3), one_model=False),
         Rule("plant", placing.in_corner, 0.4),
-        Rule("ceiling_lamp", placing.on_ceiling, 0.6),
+        Rule("ceiling_lamp", hanging.on_ceiling, 0.6),
     ),
 }

@@ -10,12 +10,13 @@ from numpy.random import Generator
 
 from uniteam.geometry import yaw_quaternion
 from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Catalogue, Pool, load_catalogue
-from uniteam.world.homes.clutter import MIN_OBJECT_COUNT, ObjectStock, scatter
+from uniteam.world.homes.clutter import MIN_OBJECT_COUNT, scatter
 from uniteam.world.homes.floor_plan import draw_floor_plan
 from uniteam.world.homes.furnishing import FurnishedRoom, FurnitureShop, furnish
 from uniteam.world.homes.home import Home, Instance, Room
+from uniteam.world.homes.object_stock import ObjectStock
 from uniteam.world.homes.openings import draw_walls
-from uniteam.world.homes.placing import Placement
+from uniteam.world.homes.placement import Placement
 from uniteam.world.homes.settling import settle
 from uniteam.world.homes.stage import build_stage
 from uniteam.world.simulation.navigable import CELL_SIZE, NavigableFloor

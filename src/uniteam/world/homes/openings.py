@@ -11,7 +11,8 @@ from typing import Literal
 
 from numpy.random import Generator
 
-from uniteam.world.homes.floor_plan import FloorPlan, Rect
+from uniteam.world.homes.floor_plan import FloorPlan
+from uniteam.world.homes.rect import Rect
 
 WALL_THICKNESS = 12
 """cm; rooms meet at the walls' centre lines."""

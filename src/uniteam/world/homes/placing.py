@@ -1,94 +1,20 @@
-"""Where a piece of furniture may go: each function proposes placements in a room, the best first.
+"""Where a piece of furniture may stand: each function proposes placements in a room, the best first.
 
-A placement is in whole centimetres and quarter turns. A model's front faces -y, so at zero turns its back is to the
-north. Everything here proposes; what is taken and what stays passable is for `RoomFloor` to say.
+Everything here proposes; what is taken and what stays passable is for `RoomFloor` to say.
 """
 
-import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-
-from numpy.random import Generator
+from dataclasses import replace
 
 from uniteam.world.assets.catalogue import Model
-from uniteam.world.homes.floor_plan import Rect
-from uniteam.world.homes.room_floor import Volume
+from uniteam.world.homes.placement import Placement, Site, turned
+from uniteam.world.homes.rect import Rect
 
 _WALL_GAP = 2
 """Furniture stands clear of the baseboard (cm)."""
 
 
-@dataclass(frozen=True)
-class Placement:
-    """A model at (x, y, z) cm, turned by `quarters` of a turn to the left and `degrees` more."""
-
-    model: Model
-    x: int
-    y: int
-    quarters: int
-    z: int = 0
-    degrees: int = 0
-
-    @property
-    def half_size(self) -> tuple[int, int]:
-        """Half the width and half the depth in the model's own frame, rounded up, with room to turn by `degrees`."""
-        width, depth, _ = self.model.size
-        turn = math.radians(abs(self.degrees))
-        c, s = math.cos(turn), math.sin(turn)
-        return _half_up(c * width + s * depth), _half_up(s * width + c * depth)
-
-    def offset(self, right: int, back: int) -> tuple[int, int]:
-        """Return the point of the room at (right, back) cm in the model's own frame."""
-        dx, dy = _turn(self.quarters, right, back)
-        return self.x + dx, self.y + dy
-
-    @property
-    def front(self) -> tuple[int, int]:
-        """The unit step that the front faces."""
-        return _turn(self.quarters, 0, -1)
-
-    @property
-    def rect(self) -> Rect:
-        """The rectangle it covers on the floor."""
-        hx, hy = self.half_size
-        if self.quarters % 2:
-            hx, hy = hy, hx
-        return Rect(self.x - hx, self.y - hy, self.x + hx, self.y + hy)
-
-    @property
-    def volume(self) -> Volume:
-        """The box it fills."""
-        return Volume(self.rect, self.z, self.z + math.ceil(round(100 * self.model.size[2], 3)))
-
-
-def _half_up(length: float) -> int:
-    return math.ceil(round(50 * length, 3))
-
-
-def _turn(quarters: int, x: int, y: int) -> tuple[int, int]:
-    for _ in range(quarters % 4):
-        x, y = -y, x
-    return x, y
-
-
-@dataclass(frozen=True)
-class Site:
-    """What a proposal may look at.
-
-    Attributes:
-        inner: the room's floor between the walls' faces.
-        ceiling: its height (cm).
-        anchor: the piece it is placed in relation to; the last placed one where a rule needs none.
-        rng: for every choice.
-    """
-
-    inner: Rect
-    ceiling: int
-    anchor: Placement | None
-    rng: Generator
-
-
-def _wall_run(inner: Rect, model: Model, quarters: int, z: int = 0) -> Iterator[tuple[int, Placement]]:
+def wall_run(inner: Rect, model: Model, quarters: int, z: int = 0) -> Iterator[tuple[int, Placement]]:
     """Yield (distance of its nearer end from the corner, placement) along the wall that its back is turned to."""
     piece = Placement(model, 0, 0, quarters, z)
     hx, hy = piece.half_size
@@ -116,14 +42,14 @@ def _ordered(scored: list[tuple[float, Placement]]) -> Iterator[Placement]:
 
 def against_wall(site: Site, model: Model) -> Iterator[Placement]:
     """Anywhere along the walls, back to the wall."""
-    runs = [p for q in range(4) for _, p in _wall_run(site.inner, model, q)]
+    runs = [p for q in range(4) for _, p in wall_run(site.inner, model, q)]
     return (runs[i] for i in site.rng.permutation(len(runs)))
 
 
 def in_corner(site: Site, model: Model) -> Iterator[Placement]:
     """Along the walls, as near to a corner as it gets."""
     noise = site.rng.integers(0, 30, size=4)
-    return _ordered([(c + noise[q], p) for q in range(4) for c, p in _wall_run(site.inner, model, q)])
+    return _ordered([(c + noise[q], p) for q in range(4) for c, p in wall_run(site.inner, model, q)])
 
 
 def mid_wall(site: Site, model: Model) -> Iterator[Placement]:
@@ -131,7 +57,7 @@ def mid_wall(site: Site, model: Model) -> Iterator[Placement]:
     noise = site.rng.integers(0, 60, size=4)
     scored: list[tuple[float, Placement]] = []
     for q in range(4):
-        run = list(_wall_run(site.inner, model, q))
+        run = list(wall_run(site.inner, model, q))
         middle = max((corner for corner, _ in run), default=0)
         scored += [(middle - corner + noise[q], piece) for corner, piece in run]
     return _ordered(scored)
@@ -139,8 +65,8 @@ def mid_wall(site: Site, model: Model) -> Iterator[Placement]:
 
 def opposite(site: Site, model: Model) -> Iterator[Placement]:
     """At the wall that the anchor faces, in line with it, facing it."""
-    anchor = _anchor(site)
-    run = _wall_run(site.inner, model, (anchor.quarters + 2) % 4)
+    anchor = site.the_anchor
+    run = wall_run(site.inner, model, (anchor.quarters + 2) % 4)
     ahead = anchor.quarters % 2
     return _ordered([(abs(p.y - anchor.y if ahead else p.x - anchor.x), p) for _, p in run])
 
@@ -156,7 +82,7 @@ def in_row(site: Site, model: Model) -> Iterator[Placement]:
 
 
 def _at_side(site: Site, model: Model, gap: int) -> Iterator[Placement]:
-    anchor = _anchor(site)
+    anchor = site.the_anchor
     piece = Placement(model, 0, 0, anchor.quarters)
     (ax, ay), (hx, hy) = anchor.half_size, piece.half_size
     sides = (1, -1) if site.rng.random() < 0.5 else (-1, 1)
@@ -176,7 +102,7 @@ def at_foot(site: Site, model: Model) -> Iterator[Placement]:
 
 
 def _in_front(site: Site, model: Model, gap: int) -> Iterator[Placement]:
-    anchor = _anchor(site)
+    anchor = site.the_anchor
     piece = Placement(model, 0, 0, anchor.quarters)
     (_, ay), (_, hy) = anchor.half_size, piece.half_size
     for shift in (0, 15, -15, 30, -30):
@@ -186,7 +112,7 @@ def _in_front(site: Site, model: Model, gap: int) -> Iterator[Placement]:
 
 def around(site: Site, model: Model) -> Iterator[Placement]:
     """At the seats of the anchor table, facing it; seats at the long sides first."""
-    anchor = _anchor(site)
+    anchor = site.the_anchor
     degrees = int(site.rng.integers(-7, 8))
     chair = Placement(model, 0, 0, 0, 0, degrees)
     (ax, ay), (hx, hy) = anchor.half_size, chair.half_size
@@ -196,7 +122,7 @@ def around(site: Site, model: Model) -> Iterator[Placement]:
         count = max(1, 2 * length // (2 * hx + 8)) if length > 30 else 1
         for k in range(count):
             shift = (2 * k + 1) * length // count - length
-            right, back = _turn(quarters, shift, distance + hy + gap)
+            right, back = turned(quarters, shift, distance + hy + gap)
             x, y = anchor.offset(right, back)
             seats.append((-length, replace(chair, x=x, y=y, quarters=(anchor.quarters + quarters) % 4)))
     noise = site.rng.permutation(len(seats))
@@ -205,14 +131,14 @@ def around(site: Site, model: Model) -> Iterator[Placement]:
 
 def facing(site: Site, model: Model) -> Iterator[Placement]:
     """At a side of the anchor, turned towards it, at a knee's distance: an armchair at a coffee table."""
-    anchor = _anchor(site)
+    anchor = site.the_anchor
     chair = Placement(model, 0, 0, 0, 0, int(site.rng.integers(-15, 16)))
     (ax, ay), (_, hy) = anchor.half_size, chair.half_size
     sides = ((1, ax), (3, ax), (2, ay))
     for i in site.rng.permutation(3):
         quarters, distance = sides[i]
         for gap in (30, 40, 55):
-            x, y = anchor.offset(*_turn(quarters, 0, distance + hy + gap))
+            x, y = anchor.offset(*turned(quarters, 0, distance + hy + gap))
             yield replace(chair, x=x, y=y, quarters=(anchor.quarters + quarters) % 4)
 
 
@@ -228,61 +154,3 @@ def in_middle(site: Site, model: Model) -> Iterator[Placement]:
         for i, (dx, dy) in enumerate(shifts)
     ]
     return _ordered(scored)
-
-
-def on_wall(site: Site, model: Model) -> Iterator[Placement]:
-    """Hung on a wall, its middle at eye level, anywhere along it."""
-    z = max(100, 155 - round(50 * model.size[2]))
-    runs = [p for q in range(4) for _, p in _wall_run(site.inner, model, q, z)]
-    return (runs[i] for i in site.rng.permutation(len(runs)))
-
-
-def over(site: Site, model: Model) -> Iterator[Placement]:
-    """Hung on the wall over the anchor: a mirror over a sink, a picture over a couch."""
-    anchor = _anchor(site)
-    top = anchor.z + round(100 * anchor.model.size[2])
-    z = max(top + 12, 150 - round(50 * model.size[2]))
-    piece = Placement(model, 0, 0, anchor.quarters, z)
-    (_, ay), (_, hy) = anchor.half_size, piece.half_size
-    x, y = anchor.offset(0, ay - hy)
-    yield replace(piece, x=x, y=y)
-
-
-def on_top(site: Site, model: Model) -> Iterator[Placement]:
-    """On the anchor's highest surface, at its middle: a television on its stand."""
-    anchor = _anchor(site)
-    if anchor.model.surfaces:
-        height = max(surface.height for surface in anchor.model.surfaces)
-        yield Placement(model, anchor.x, anchor.y, anchor.quarters, round(100 * height))
-
-
-def on_ceiling(site: Site, model: Model) -> Iterator[Placement]:
-    """Under the ceiling, at the room's middle."""
-    inner = site.inner
-    x, y = (inner.x0 + inner.x1) // 2, (inner.y0 + inner.y1) // 2
-    yield Placement(model, x, y, 0, site.ceiling - math.ceil(100 * model.size[2]))
-
-
-def above(site: Site, model: Model) -> Iterator[Placement]:
-    """Under the ceiling, above the anchor: a lamp above a dining table."""
-    anchor = _anchor(site)
-    yield Placement(model, anchor.x, anchor.y, anchor.quarters, site.ceiling - math.ceil(100 * model.size[2]))
-
-
-def beneath(site: Site, model: Model) -> Iterator[Placement]:
-    """On the floor beneath the anchor, centred on it: a rug."""
-    anchor = _anchor(site)
-    for shift in (0, -30, 30, 60, -60):
-        yield Placement(model, *anchor.offset(0, shift), anchor.quarters)
-
-
-def on_floor(site: Site, model: Model) -> Iterator[Placement]:
-    """Flat in the room's middle: a rug without a table."""
-    inner = site.inner
-    quarters = int((inner.depth > inner.width) == (model.size[0] > model.size[1]))
-    yield Placement(model, (inner.x0 + inner.x1) // 2, (inner.y0 + inner.y1) // 2, quarters)
-
-
-def _anchor(site: Site) -> Placement:
-    assert site.anchor is not None, "a rule that needs an anchor is tried only where one stands"
-    return site.anchor

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.world.homes.floor_plan import Rect
+from uniteam.world.homes.rect import Rect
 
 CELL = 5
 ROBOT_RADIUS = 31
@@ -67,12 +67,15 @@ class RoomFloor:
         columns = slice(*(max(0, -(-(2 * (x - self.inner.x0) - CELL) // (2 * CELL))) for x in (rect.x0, rect.x1)))
         return rows, columns
 
-    def unobstructed(self, volumes: NDArray[np.int64]) -> NDArray[np.bool_]:
-        """Say which of (N, 6) volumes lie inside the room and meet nothing there."""
+    def unobstructed(self, volumes: NDArray[np.int64], elbow_room: int = 0) -> NDArray[np.bool_]:
+        """Say which of (N, 6) volumes lie inside the room and come no nearer than `elbow_room` (cm) to anything."""
         inner = self.inner
         low, high = volumes[:, :3], volumes[:, 3:]
+        margin = np.array([elbow_room, elbow_room, 0])
         inside = (low[:, 0] >= inner.x0) & (low[:, 1] >= inner.y0) & (high[:, 0] <= inner.x1) & (high[:, 1] <= inner.y1)
-        meets = (low[:, None] < self._volumes[None, :, 3:]) & (self._volumes[None, :, :3] < high[:, None])
+        meets = (low[:, None] - margin < self._volumes[None, :, 3:]) & (
+            self._volumes[None, :, :3] < high[:, None] + margin
+        )
         return inside & ~np.any(np.all(meets, axis=2), axis=1)
 
     def stays_passable(self, volume: Volume, sides: Iterable[Rect]) -> bool:

@@ -11,11 +11,11 @@ from uniteam.world.homes.openings import WALL_THICKNESS, PlannedWall
 
 _WOODEN = ("planks", "parquet", "wooden")
 _CARPET = ("carpet",)
-_FLOOR_TILES = ("tile", "linoleum", "marble", "concrete", "paving")
+_FLOOR_TILES = ("tile", "linoleum", "marble")
 _PAINT = ("paint", "plaster_white")
 _WALLPAPER = ("wallpaper", "plaster", "paint")
 _WALL_TILES = ("tile", "marble")
-_BRICKS = ("bricks", "stone")
+_BRICKS = ("bricks",)
 
 _FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
     "bathroom": (_FLOOR_TILES,), "laundry": (_FLOOR_TILES,), "kitchen": (_FLOOR_TILES, _FLOOR_TILES, _WOODEN),
