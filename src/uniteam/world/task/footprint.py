@@ -2,8 +2,14 @@
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Instance
+
+VIEW_DISTANCE = 1.5
+"""How far (m) the base may be from what it is said to have found: from furniture's footprint, or an object's centre."""
 
 
 def yaw_of(instance: Instance) -> float:
@@ -12,16 +18,10 @@ def yaw_of(instance: Instance) -> float:
     return 2.0 * math.atan2(z, w)
 
 
-def distance_to_footprint(instance: Instance, x: float, y: float) -> float:
-    """Return the distance (m) on the floor from (x, y) to an upright instance's bounding rectangle; 0 inside."""
-    along, across = to_model_frame(instance, x, y)
-    width, depth, _ = load_catalogue()[instance.model].size
-    return math.hypot(max(0.0, abs(along) - width / 2.0), max(0.0, abs(across) - depth / 2.0))
-
-
-def to_model_frame(instance: Instance, x: float, y: float) -> tuple[float, float]:
-    """Return a point (m, world) of the floor in an upright instance's model frame."""
+def distance_to_footprint(instance: Instance, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the distances (...) (m) of (..., 2) points of the floor to an upright instance's rectangle; 0 inside."""
     yaw = yaw_of(instance)
     c, s = math.cos(yaw), math.sin(yaw)
-    dx, dy = x - instance.position[0], y - instance.position[1]
-    return c * dx + s * dy, -s * dx + c * dy
+    in_model = (points - instance.position[:2]) @ np.array([[c, -s], [s, c]])
+    half = np.array(load_catalogue()[instance.model].size[:2]) / 2.0
+    return np.asarray(np.linalg.norm(np.maximum(0.0, np.abs(in_model) - half), axis=-1))

@@ -14,11 +14,10 @@ from uniteam.world.homes.home import Home
 from uniteam.world.simulation.frame import Frame
 from uniteam.world.simulation.simulator import Simulator, StepEvents
 from uniteam.world.task.episode import Candidate, Episode
-from uniteam.world.task.footprint import distance_to_footprint
+from uniteam.world.task.footprint import VIEW_DISTANCE, distance_to_footprint
 from uniteam.world.task.measures import Measures
 
 VIEW_POINT_TOLERANCE = 0.1
-VIEW_DISTANCE = 1.5
 VIEW_COVERAGE = 0.001
 LOWEST_CONTACT = 0.05
 DEEPEST_CONTACT = 0.01
@@ -76,7 +75,7 @@ class Judge:
 
     def _sees_receptacle(self, simulator: Simulator, frame: Frame) -> bool:
         def distance(name: str, base: BasePose) -> float:
-            return distance_to_footprint(self._home.by_name[name], base.x, base.y)
+            return float(distance_to_footprint(self._home.by_name[name], np.array([base.x, base.y])))
 
         return any(_is_found(target, simulator.base, frame, distance) for target in self._receptacles)
 
@@ -104,4 +103,4 @@ def _is_found(target: _Viewable, base: BasePose, frame: Frame, distance_to: Dist
     from_view_points = np.hypot(target.view_points[:, 0] - base.x, target.view_points[:, 1] - base.y)
     if not np.any(from_view_points <= VIEW_POINT_TOLERANCE) or distance_to(target.name, base) > VIEW_DISTANCE:
         return False
-    return np.count_nonzero(frame.instances == target.index) >= VIEW_COVERAGE * frame.instances.size
+    return bool(np.count_nonzero(frame.instances == target.index) >= VIEW_COVERAGE * frame.instances.size)

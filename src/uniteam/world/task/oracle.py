@@ -129,8 +129,3 @@ def _best_views(target: Candidate, at: Point2) -> list[Point2]:
     """Return a target's view points, those at the best distance for looking at a point (m, world) first."""
     distances = np.hypot(*(np.array(target.view_points) - at).T)
     return [target.view_points[i] for i in np.argsort(np.abs(distances - LOOKING_DISTANCE), kind="stable")]
-
-
-def make_oracle(environment: Environment) -> Oracle:
-    """Return the oracle of an environment's episode."""
-    return Oracle(environment)

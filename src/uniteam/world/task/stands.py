@@ -22,8 +22,8 @@ IMAGE_MARGIN = 0.08
 """Share of the image, at each border, that an object to be grasped keeps clear of."""
 ARM_MARGIN = 0.01
 """What the arm keeps of its range (m)."""
-RAISE = 0.1
-"""How much higher (m) than the release the gripper comes over the surface."""
+BEST_EXTENSION = 0.3
+"""Of the arm when it releases (m): far enough from the furniture to turn there with something in the gripper."""
 
 
 @dataclass(frozen=True)
@@ -62,39 +62,35 @@ def can_grasp(stand: BasePose, position: np.ndarray, camera: PinholeCamera) -> b
     return bool(IMAGE_MARGIN < u < 1.0 - IMAGE_MARGIN and IMAGE_MARGIN < v < 1.0 - IMAGE_MARGIN)
 
 
-def releases(
-    point: np.ndarray, floor_points: np.ndarray, gripper_height: float, wrist_pitch: float
-) -> Iterator[Release]:
-    """Yield the stands on (N, 2) points of the floor from which the gripper can be over a point (2,), nearest first.
+def releases(point: np.ndarray, floor_points: np.ndarray, gripper_height: float, wrist_pitch: float) -> list[Release]:
+    """Return the ways to hold the gripper over a point, those with the best extension of the arm first.
 
     Args:
-        point: (x, y) of the grasp centre (m, world).
-        floor_points: where the base may stand (m, world).
+        point: (2,) of the grasp centre (m, world).
+        floor_points: (N, 2) where the base may stand (m, world).
         gripper_height: of the grasp centre above the floor (m).
         wrist_pitch: rad.
     """
-    posture = Joints(0.0, 0.0, wrist_pitch=wrist_pitch)
-    at_zero = gripper_to_base(posture)[:3, 3]
-    lift = gripper_height - float(at_zero[2])
+    at_zero = gripper_to_base(Joints(0.0, 0.0, wrist_pitch=wrist_pitch))[:3, 3]
+    joints = replace(MANIPULATION_POSTURE, lift=gripper_height - float(at_zero[2]), wrist_pitch=wrist_pitch)
     low, high = JOINT_LIMITS
-    if not low.lift <= lift <= high.lift:
-        return
+    if not low.lift <= joints.lift <= high.lift:
+        return []
     offsets = point - floor_points
-    distances = np.hypot(*offsets.T)
-    for i in np.argsort(distances, kind="stable"):
-        if distances[i] <= abs(at_zero[0]):
-            continue
-        forward = math.sqrt(distances[i] ** 2 - at_zero[0] ** 2)
-        arm = forward + float(at_zero[1])
-        if low.arm <= arm <= high.arm - ARM_MARGIN:
-            sideways = math.atan2(at_zero[0], forward)
-            heading = wrap_angle(math.atan2(offsets[i, 1], offsets[i, 0]) - sideways)
-            x, y = floor_points[i]
-            joints = replace(MANIPULATION_POSTURE, lift=lift, arm=arm, wrist_pitch=wrist_pitch)
-            yield Release(BasePose(float(x), float(y), heading), joints)
+    along = np.sqrt(np.maximum(0.0, (offsets**2).sum(axis=1) - at_zero[0] ** 2))
+    headings = np.arctan2(offsets[:, 1], offsets[:, 0]) - np.arctan2(at_zero[0], along)
+    arms = along + at_zero[1]
+    order = np.argsort(np.abs(arms - BEST_EXTENSION), kind="stable")
+    return [
+        Release(
+            BasePose(float(floor_points[i, 0]), float(floor_points[i, 1]), wrap_angle(float(headings[i]))),
+            replace(joints, arm=float(arms[i])),
+        )
+        for i in order
+        if low.arm + ARM_MARGIN <= arms[i] <= high.arm - ARM_MARGIN
+    ]
 
 
-def approach(joints: Joints) -> tuple[Joints, ...]:
-    """Return the postures through which the arm comes to release at `joints`: raised, then extended, then lowered."""
-    raised = replace(joints, lift=min(joints.lift + RAISE, JOINT_LIMITS[1].lift))
-    return replace(raised, arm=MANIPULATION_POSTURE.arm), raised, replace(raised, lift=joints.lift)
+def approach(joints: Joints) -> tuple[Joints, Joints]:
+    """Return the postures through which the arm comes to release at `joints`: at their height, then extended."""
+    return replace(joints, arm=MANIPULATION_POSTURE.arm), joints
