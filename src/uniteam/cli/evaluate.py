@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
 
 import uniteam
+from uniteam.errors import InvalidInputError
 from uniteam.evaluation.agents import label_agents
 from uniteam.evaluation.result import EpisodeResult
 from uniteam.evaluation.runner import Evaluation, Run
@@ -21,10 +22,10 @@ def evaluate(
     agents: tuple[str, ...] = ("baseline", "uniteam"),
     split: str = "minival",
     perception: str = "truth",
-    episodes: int | None = None,
-    workers: int | None = None,
+    episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
+    workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     camera: Literal["half", "full"] = "half",
-    out: Path | None = None,
+    out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
     breakdown: bool = False,
@@ -42,10 +43,11 @@ def evaluate(
         workers: How many processes; as many as there are cores by default.
         camera: Images of 240x320 (half) or of 480x640 (full).
         out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA by default.
-        with_: Names of improvements to add to the agents that lack them.
-        without: Names of improvements to take from the agents that have them.
+        with_: Improvements to add to the agents that lack them, by name (a wrong name lists them).
+        without: Improvements to take from the agents that have them, by name.
         breakdown: Add a row for the seen and one for the unseen object categories.
     """
+    _check_at_least_one(episodes=episodes, workers=workers)
     console = Console()
     run = Run(split, label_agents(agents, perception, with_, without), perception, camera, episodes)
     directory = out or Path("runs") / f"{Path(split).name.split('.')[0]}-{perception}-{camera}"
@@ -54,6 +56,12 @@ def evaluate(
     evaluation.write_summary()
     console.print(challenge_table(_rows(evaluation, breakdown), _caption(evaluation)))
     _report(evaluation, console)
+
+
+def _check_at_least_one(**counts: int | None) -> None:
+    for name, count in counts.items():
+        if count is not None and count < 1:
+            raise InvalidInputError(f"--{name} must be at least 1, got {count}")
 
 
 def _play(evaluation: Evaluation, worker_count: int, console: Console) -> None:
@@ -133,6 +141,6 @@ def _report(evaluation: Evaluation, console: Console) -> None:
     results = [result for agent in store.results.values() for result in agent.values()]
     crashed = sum(result.crashed for result in results)
     if crashed:
-        console.print(f"[red]{crashed} episodes crashed and count as failures:[/] see 'traceback' in the results.")
+        console.print(f"[red]Crashed and counted as failures: {crashed}.[/] Each result's 'traceback' says where.")
     memory = max((result.peak_memory for result in results), default=0.0)
     console.print(f"Results, configuration and summary: {store.directory} (a worker used at most {memory:.0f} MB).")

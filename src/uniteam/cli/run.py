@@ -28,7 +28,7 @@ def run(
     agent: str = "uniteam",
     split: str = "minival",
     episode: int = 0,
-    video: Path | None = None,
+    video: Annotated[Path | None, tyro.conf.arg(metavar="FILE.mp4")] = None,
     perception: str = "truth",
     camera: Literal["half", "full"] = "half",
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
@@ -43,8 +43,8 @@ def run(
         video: An .mp4 file to film it into.
         perception: What the agent sees with.
         camera: Images of 240x320 (half) or of 480x640 (full).
-        with_: Names of improvements to add, if the agent lacks them.
-        without: Names of improvements to take from the agent.
+        with_: Improvements to add if the agent lacks them, by name (a wrong name lists them).
+        without: Improvements to take from the agent, by name.
     """
     console = Console()
     ((label, spec),) = label_agents((agent,), perception, with_, without).items()

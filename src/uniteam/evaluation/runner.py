@@ -123,9 +123,10 @@ def choose_episodes(episodes: Iterable[Episode], count: int | None) -> list[int]
 
 
 def source_digest() -> str:
-    """Return a digest of the package's own source: results of different code are different results."""
+    """Return a digest of the source of world and mind: results of different code are different results."""
     root = Path(uniteam.__file__).parent
-    return _digest(b"".join(path.read_bytes() for path in sorted(root.rglob("*.py"))))
+    paths = chain(root.glob("*.py"), (root / "world").rglob("*.py"), (root / "mind").rglob("*.py"))
+    return _digest(b"".join(path.read_bytes() for path in sorted(paths)))
 
 
 def _digest(content: bytes) -> str:

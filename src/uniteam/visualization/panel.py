@@ -69,7 +69,7 @@ def draw_panel(content: PanelContent) -> Image:
         ("head camera", _HEAD),
         ("perception", _SEGMENTS),
         ("third person", _THIRD_PERSON),
-        ("map", _MAP),
+        ("map: goal in red, path in blue", _MAP),
     ):
         write_tag(canvas, text, area.left, area.top, TextStyle(13, FAINT_TEXT))
     _draw_words(canvas, content.step)
