@@ -9,7 +9,7 @@ from uniteam.world.homes.floor_plan import FloorPlan
 from uniteam.world.homes.openings import WALL_THICKNESS, PlannedOpening, PlannedWall
 from uniteam.world.homes.placement import Placement
 
-_FROM_WALL = 4
+_FROM_WALL = 1
 """Handles keep a leaf this far from what it is folded against (cm)."""
 _NEAR = 40
 """A door so near to a corner opens against the wall beside it (cm)."""

@@ -142,10 +142,11 @@ class _Furnisher:
 
     def _place(self, rule: Rule, kind: str, model: Model) -> bool:
         for anchor in self._anchors(rule):
-            site = Site(self._floor.inner, self._ceiling, anchor, self._rng)
-            placement = self._first_fitting(rule.place(site, model), rule.elbow_room)
+            site = Site(self._floor.inner, self._ceiling, self._floor.windows, anchor, self._rng)
+            placement = self._first_fitting(list(rule.place(site, model)), rule)
             if placement is not None:
-                self._floor.take(placement.volume, _sides(placement))
+                if not _is_flat(model):
+                    self._floor.take(placement.volume, _sides(placement))
                 self._standing.append((kind, placement))
                 return True
         return False
@@ -155,18 +156,26 @@ class _Furnisher:
             return [None]
         return [placement for kind, placement in self._standing if kind == rule.anchor]
 
-    def _first_fitting(self, proposals: Iterator[Placement], elbow_room: int) -> Placement | None:
-        placements = list(proposals)
+    def _first_fitting(self, placements: list[Placement], rule: Rule) -> Placement | None:
         if not placements:
             return None
+        if _is_flat(placements[0].model):
+            return next((p for p in placements if self._floor.inner.contains(p.rect)), None)
         rows = np.array([p.volume.as_row() for p in placements], dtype=np.int64)
-        fitting = np.flatnonzero(self._floor.unobstructed(rows, elbow_room))
+        fits = self._floor.unobstructed(rows, rule.elbow_room)
+        if not rule.covers_window:
+            fits &= self._floor.lets_light_in(rows)
         passable = (
             placements[i]
-            for i in islice(fitting.tolist(), _TRIES)
+            for i in islice(np.flatnonzero(fits).tolist(), _TRIES)
             if self._floor.stays_passable(placements[i].volume, _sides(placements[i]))
         )
         return next(passable, None)
+
+
+def _is_flat(model: Model) -> bool:
+    """Say whether a model is a rug or a mat, which other furniture may stand on."""
+    return not model.shapes and model.size[2] < 0.04
 
 
 def _sides(placement: Placement) -> tuple[Rect, ...]:

@@ -37,6 +37,7 @@ def _not_named(*words: str) -> Callable[[Model], bool]:
     return lambda model: not any(word in model.name.lower() for word in words)
 
 
+_FOR_WASHING = ("vanity", "basin", "lavatory", "bath")
 _OUTDOORS = ("deck", "beach", "ryokan", "garden", "child")
 
 KINDS = {
@@ -57,6 +58,10 @@ KINDS = {
     "bedside_table": Kind(("stand",), width=(0.25, 0.7), height=(0.3, 0.75)),
     "tv_stand": Kind(("stand",), width=(0.9, 2.2), height=(0.3, 0.95)),
     "stand": Kind(("stand",)),
+    "tv": Kind(("tv",), also=_not_named("wall")),
+    "low_cabinet": Kind(("cabinet", "chest_of_drawers"), width=(0.9, 2.2), height=(0.3, 0.95)),
+    "office_chair": Kind(("chair",), width=(0.4, 0.75), depth=(0.4, 0.75), height=(0.7, 1.25),
+                         also=_not_named(*_OUTDOORS)),
     "bench": Kind(("bench",), width=(0.5, 2.1), depth=(0.2, 0.75)),
     "trunk": Kind(("trunk",)),
     "chest_of_drawers": Kind(("chest_of_drawers",)),
@@ -73,8 +78,8 @@ KINDS = {
     "counter": Kind(("counter",), width=(0.4, 1.5), depth=(0.5, 0.75), also=_not_named("corner", "island")),
     "island": Kind(("counter",), width=(0.6, 2.4), depth=(0.6, 1.4), also=_named("island")),
     "kitchen_sink": Kind(("sink",), width=(0.55, 1.4), depth=(0.55, 0.75), height=(0.8, 1.3),
-                         also=_not_named("vanity", "washbasin", "lavatory")),
-    "bathroom_sink": Kind(("sink",), height=(0.0, 2.3), also=_not_named("kitchen", "sink cabinet")),
+                         also=_not_named(*_FOR_WASHING)),
+    "bathroom_sink": Kind(("sink",), height=(0.6, 2.3), also=_named(*_FOR_WASHING)),
     "toilet": Kind(("toilet",)),
     "bathtub": Kind(("bathtub",)),
     "washer_dryer": Kind(("washer_dryer",)),

@@ -78,7 +78,7 @@ def _with_objects(home: Home, stock: ObjectStock, rng: Generator) -> Home:
 def _instance(placement: Placement, room: FurnishedRoom) -> Instance:
     degrees = 90 * placement.quarters + placement.degrees
     w, x, y, z = (round(v, 9) for v in yaw_quaternion(np.radians(degrees)))
-    position = (placement.x / 100, placement.y / 100, placement.z / 100)
+    position = (placement.x / 100, placement.y / 100, round(placement.z / 100, 4))
     return Instance("", placement.model.id, placement.model.category, False, position, (w, x, y, z), room.room.name)
 
 

@@ -6,26 +6,42 @@ from numpy.random import Generator
 
 from uniteam.world.assets.catalogue import Catalogue, Model, Pool
 
-_FITTING_ROOMS: Mapping[str, frozenset[str]] = {
-    room: frozenset(words)
-    for room, words in {
-        "kitchen": ("cup", "mug", "plate", "bowl", "bottle", "glass", "fork", "knife", "spoon", "pan", "pot", "kettle",
-                    "electric_kettle", "teapot", "bread", "apple", "banana", "toy_food", "spatula", "ladle", "jar",
-                    "toaster", "butter_dish", "canister", "wine_bottle", "squeezer", "tray", "salt_and_pepper_shaker",
-                    "utensil_holder_cup", "sponge", "can", "dish", "blender", "coffee_maker", "cutting_board"),
-        "bathroom": ("bath_towel", "towel", "soap_dispenser", "toiletry", "sponge", "cloth", "toothbrush",
-                     "spray_bottle", "hair_dryer", "toilet_paper", "shampoo", "basket"),
-        "living_room": ("remote_control", "remote", "book", "vase", "candle", "picture_frame", "lamp", "newspaper",
-                        "gaming_console", "board_game", "statue", "clock", "radio", "plant_container", "magazine"),
-        "bedroom": ("book", "lamp", "clock", "watch", "spectacles", "hat", "handbag", "stuffed_toy", "cellphone",
-                    "doll", "headphones", "shoe", "toy_animal", "picture_frame"),
-        "office": ("laptop", "pen", "pencil_case", "stapler", "file_sorter", "scissors", "tape", "calculator", "book",
-                   "telephone", "lamp", "cup", "mouse", "keyboard", "calendar", "camera"),
-        "hall": ("shoe", "hat", "handbag", "keychain", "umbrella", "helmet", "backpack", "cellphone"),
-        "laundry": ("spray_bottle", "bath_towel", "cloth", "basket", "box", "sponge"),
-        "dining_room": ("plate", "glass", "candle", "bowl", "wine_bottle", "vase", "cup", "tray", "fork", "knife"),
-    }.items()
+_KITCHEN = (
+    "apple", "bottle", "bowl", "bread", "butter", "can", "canister", "citrus_juicer",
+    "coffee_press", "cup", "cutting_board", "electric_kettle", "fork", "french_fries", "glass",
+    "jar", "kitchen_utensil", "knife", "knife_block", "milk_carton", "moka_pot", "pan", "pitcher",
+    "plate", "pot", "salt_and_pepper_shaker", "spoon", "sponge", "teapot", "toaster", "tray",
+    "utensil_holder", "wine_bottle", "blender", "paper_towel", "cake", "banana", "rolling_pin",
+    "sandwich_maker",
+)  # fmt: skip
+_BATHROOM = (
+    "baby_bottle", "brush", "comb", "folded_clothes", "lipstick", "medicine_bottle", "perfume",
+    "soap_dispenser", "sponge", "spray_bottle", "towel", "toilet_paper", "toothbrush", "scale",
+    "cup",
+)  # fmt: skip
+_LIVING_ROOM = (
+    "ashtray", "board_game", "book", "candle", "clock", "game_console", "game_controller", "lamp",
+    "newspaper", "picture_frame", "potted_plant", "radio", "remote_control", "speaker", "statue",
+    "toy_vehicle", "vase", "wine_bottle",
+)  # fmt: skip
+_BEDROOM = (
+    "action_figure", "book", "cellphone", "clock", "doll", "folded_clothes", "hat", "handbag",
+    "headphones", "lamp", "glove", "picture_frame", "shoe", "sock", "spectacles", "stuffed_toy",
+    "tablet", "watch", "perfume", "toy_airplane",
+)  # fmt: skip
+_OFFICE = (
+    "book", "briefcase", "calendar", "camera", "cup", "file_sorter", "headphones", "lamp", "laptop",
+    "pen", "pencil_case", "ruler", "scissors", "stapler", "tablet", "tape", "telephone", "keyboard",
+    "mouse", "puzzle_cube", "cellphone",
+)  # fmt: skip
+_HALL = ("backpack", "flashlight", "glove", "handbag", "hat", "helmet", "keys", "shoe", "umbrella", "wallet", "lantern")
+_LAUNDRY = ("basket", "box", "folded_clothes", "sock", "spray_bottle", "sponge", "towel", "hammer", "drill", "pliers")
+
+_FITTING_ROOMS: Mapping[str, tuple[str, ...]] = {
+    "kitchen": _KITCHEN, "dining_room": _KITCHEN, "bathroom": _BATHROOM, "living_room": _LIVING_ROOM,
+    "bedroom": _BEDROOM, "office": _OFFICE, "hall": _HALL, "laundry": _LAUNDRY,
 }  # fmt: skip
+"""Categories that one expects in a room; most of what lies about is not expected there."""
 
 
 class ObjectStock:

@@ -21,7 +21,7 @@ class Placement:
     x: int
     y: int
     quarters: int
-    z: int = 0
+    z: float = 0.0
     degrees: int = 0
 
     @property
@@ -53,7 +53,8 @@ class Placement:
     @property
     def volume(self) -> Volume:
         """The box it fills."""
-        return Volume(self.rect, self.z, self.z + math.ceil(round(100 * self.model.size[2], 3)))
+        top = math.ceil(round(self.z + 100 * self.model.size[2], 3))
+        return Volume(self.rect, math.ceil(round(self.z, 3)), top)
 
 
 def _half_up(length: float) -> int:
@@ -74,12 +75,14 @@ class Site:
     Attributes:
         inner: the room's floor between the walls' faces.
         ceiling: its height (cm).
+        windows: the volumes before them.
         anchor: the piece it is placed in relation to; None where a rule needs none.
         rng: for every choice.
     """
 
     inner: Rect
     ceiling: int
+    windows: tuple[Volume, ...]
     anchor: Placement | None
     rng: Generator
 

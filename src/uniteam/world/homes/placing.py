@@ -9,12 +9,13 @@ from dataclasses import replace
 from uniteam.world.assets.catalogue import Model
 from uniteam.world.homes.placement import Placement, Site, turned
 from uniteam.world.homes.rect import Rect
+from uniteam.world.homes.room_floor import Volume
 
 _WALL_GAP = 2
 """Furniture stands clear of the baseboard (cm)."""
 
 
-def wall_run(inner: Rect, model: Model, quarters: int, z: int = 0) -> Iterator[tuple[int, Placement]]:
+def wall_run(inner: Rect, model: Model, quarters: int, z: float = 0.0) -> Iterator[tuple[int, Placement]]:
     """Yield (distance of its nearer end from the corner, placement) along the wall that its back is turned to."""
     piece = Placement(model, 0, 0, quarters, z)
     hx, hy = piece.half_size
@@ -61,6 +62,22 @@ def mid_wall(site: Site, model: Model) -> Iterator[Placement]:
         middle = max((corner for corner, _ in run), default=0)
         scored += [(middle - corner + noise[q], piece) for corner, piece in run]
     return _ordered(scored)
+
+
+def under_window(site: Site, model: Model) -> Iterator[Placement]:
+    """Under a window, in its middle: a radiator."""
+    for i in site.rng.permutation(len(site.windows)):
+        yield before_window(site.inner, site.windows[i], model, 0.0)
+
+
+def before_window(inner: Rect, window: Volume, model: Model, z: float) -> Placement:
+    """Return the model with its back to the wall of a window, in line with its middle."""
+    rect = window.rect
+    quarters = 0 if rect.y1 > inner.y1 else 1 if rect.x0 < inner.x0 else 2 if rect.y0 < inner.y0 else 3
+    piece = Placement(model, 0, 0, quarters, z)
+    along = (rect.y0 + rect.y1) // 2 if quarters % 2 else (rect.x0 + rect.x1) // 2
+    x, y = _at_wall(inner, quarters, along, piece.half_size[1])
+    return replace(piece, x=x, y=y)
 
 
 def opposite(site: Site, model: Model) -> Iterator[Placement]:

@@ -42,20 +42,21 @@ class RoomFloor:
     Attributes:
         inner: the floor between the walls' faces.
         doors: rectangles on the floor before the doors, inside the room.
+        windows: volumes before the windows.
     """
 
-    def __init__(self, inner: Rect, doors: Iterable[Rect], closed: Iterable[Volume]) -> None:
+    def __init__(self, inner: Rect, doors: Iterable[Rect], windows: Iterable[Volume]) -> None:
         """Start with an empty room.
 
         Args:
             inner: the floor between the walls' faces.
             doors: rectangles on the floor before the doors, inside the room; nothing may stand there.
-            closed: volumes that stay empty, such as those before windows.
+            windows: volumes before windows; only what belongs at a window may stand there.
         """
         self.inner = inner
         self.doors = tuple(doors)
-        kept = [Volume(door, 0, 210) for door in self.doors]
-        self._volumes = np.array([v.as_row() for v in (*kept, *closed)], dtype=np.int64).reshape(-1, 6)
+        self.windows = tuple(windows)
+        self._volumes = _as_rows(Volume(door, 0, 210) for door in self.doors)
         rows, columns = -(-inner.depth // CELL), -(-inner.width // CELL)
         self._free = np.zeros((rows, columns), dtype=np.uint8)
         self._free[self._cells(inner.grown(-ROBOT_RADIUS))] = 1
@@ -71,12 +72,13 @@ class RoomFloor:
         """Say which of (N, 6) volumes lie inside the room and come no nearer than `elbow_room` (cm) to anything."""
         inner = self.inner
         low, high = volumes[:, :3], volumes[:, 3:]
-        margin = np.array([elbow_room, elbow_room, 0])
         inside = (low[:, 0] >= inner.x0) & (low[:, 1] >= inner.y0) & (high[:, 0] <= inner.x1) & (high[:, 1] <= inner.y1)
-        meets = (low[:, None] - margin < self._volumes[None, :, 3:]) & (
-            self._volumes[None, :, :3] < high[:, None] + margin
-        )
-        return inside & ~np.any(np.all(meets, axis=2), axis=1)
+        margin = np.array([elbow_room, elbow_room, 0])
+        return inside & ~_meet_any(low - margin, high + margin, self._volumes)
+
+    def lets_light_in(self, volumes: NDArray[np.int64]) -> NDArray[np.bool_]:
+        """Say which of (N, 6) volumes stand before no window."""
+        return ~_meet_any(volumes[:, :3], volumes[:, 3:], _as_rows(self.windows))
 
     def stays_passable(self, volume: Volume, sides: Iterable[Rect]) -> bool:
         """Say whether, with this volume taken, all doors and all held sides are still reached, these sides too."""
@@ -109,6 +111,16 @@ class RoomFloor:
         if volume.bottom < ROBOT_TOP:
             self._free[self._cells(volume.rect.grown(ROBOT_RADIUS))] = 0
         self._sides.append(tuple(self._cells(side) for side in sides))
+
+
+def _as_rows(volumes: Iterable[Volume]) -> NDArray[np.int64]:
+    return np.array([volume.as_row() for volume in volumes], dtype=np.int64).reshape(-1, 6)
+
+
+def _meet_any(low: NDArray[np.int64], high: NDArray[np.int64], others: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Say which of the boxes from `low` to `high`, (N, 3) each, meet any of (M, 6) others."""
+    meets = (low[:, None] < others[None, :, 3:]) & (others[None, :, :3] < high[:, None])
+    return np.any(np.all(meets, axis=2), axis=1)
 
 
 def _has_foothold(cells: NDArray[np.bool_]) -> bool:
