@@ -15,7 +15,6 @@ from uniteam.interface import DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home
-from uniteam.world.simulation.navigable import NavigableFloor
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.drop_points import DropPoints, drop_points
 from uniteam.world.task.environment import Environment
@@ -46,9 +45,8 @@ class Certifier:
     def __init__(self, home: Home) -> None:
         """Compile the home and survey its floor."""
         self.home = home
-        self.floor = NavigableFloor(home)
         self.simulator = Simulator(home, HEAD_CAMERA_HALF)
-        self._views = Viewpoints(home, self.floor, self.simulator.physics.model)
+        self._views = Viewpoints(home, self.simulator.floor, self.simulator.physics.model)
         self._grasps: dict[str, BasePose | None] = {}
 
     def certify(self, task: Task, identifier: str, start: BasePose, seed: int) -> Episode | None:

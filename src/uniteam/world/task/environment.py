@@ -1,6 +1,7 @@
 """Playing one episode: actions in, observations out, and the measures kept apart from what the agent sees."""
 
 import weakref
+from collections.abc import Callable
 
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import PinholeCamera, invert_transform
@@ -44,8 +45,7 @@ class Environment:
         self.camera = camera
         self.simulator: Simulator = _pool.take(home, camera)
         weakref.finalize(self, _pool.give_back, home, camera, self.simulator)
-        self._observe_truth = self._truth if give_truth else _no_truth
-        self._detections = tuple(Detection(((instance.category, 1.0),)) for instance in home.instances)
+        self._truth_of = _truth_maker(home) if give_truth else _no_truth
         self._judge = Judge(home, episode)
 
     def reset(self) -> Observation:
@@ -89,12 +89,14 @@ class Environment:
             joints=self.simulator.joints,
             is_holding=self.simulator.held is not None,
             step=self.measures.num_steps,
-            truth=self._observe_truth(frame),
+            truth=self._truth_of(frame),
         )
 
-    def _truth(self, frame: Frame) -> Segmentation:
-        """Return every instance by its category's name, score 1."""
-        return Segmentation(frame.instances, self._detections)
+
+def _truth_maker(home: Home) -> Callable[[Frame], Segmentation | None]:
+    """Return the function from a frame to its segmentation: every instance by its category's name, score 1."""
+    detections = tuple(Detection(((instance.category, 1.0),)) for instance in home.instances)
+    return lambda frame: Segmentation(frame.instances, detections)
 
 
 def _no_truth(frame: Frame) -> None:

@@ -11,7 +11,6 @@ from uniteam.world.assets.catalogue import Pool
 from uniteam.world.homes.generate import generate_home
 from uniteam.world.homes.home import Home
 from uniteam.world.homes.settling import resting_on
-from uniteam.world.simulation.navigable import NavigableFloor
 from uniteam.world.task.certify import Certifier
 from uniteam.world.task.episode import Episode, Split
 from uniteam.world.task.tasks import Tally, Task, in_order_of_variety, possible_tasks
@@ -84,7 +83,7 @@ class EpisodeMaker:
 
     def _start(self, objects: Iterable[str]) -> BasePose | None:
         """Return a random pose on the connected floor, far from the objects, rounded to a centimetre."""
-        floor: NavigableFloor = self._certifier.floor
+        floor = self._certifier.simulator.floor
         cells = np.argwhere(floor.largest_component & (floor.cells >= _START_CLEARANCE))
         for row, column in self._rng.permutation(cells)[:200]:
             x, y = (round(v, 2) for v in floor.to_point(row, column))

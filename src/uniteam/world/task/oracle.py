@@ -13,7 +13,6 @@ from uniteam.errors import InvalidInputError
 from uniteam.geometry import BasePose
 from uniteam.interface import Decision, DiscreteAction, Instruction, JointDisplacement, Observation
 from uniteam.world.assets.catalogue import Point2
-from uniteam.world.simulation.navigable import NavigableFloor
 from uniteam.world.task.driving import to_point, turn
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Candidate, Certificate
@@ -43,7 +42,6 @@ class Oracle:
             )
         self._environment = environment
         self._certificate: Certificate = certificate
-        self._floor = NavigableFloor(environment.home)
         self._script: Iterator[Decision] = iter(())
 
     def reset(self, instruction: Instruction, seed: int) -> None:
@@ -52,7 +50,7 @@ class Oracle:
 
     def act(self, observation: Observation) -> Decision:
         """Return the next step of the script."""
-        return next(self._script, Decision(DiscreteAction.STOP, "DONE", "The script has ended."))
+        return next(self._script, Decision(DiscreteAction.STOP, "DONE", "The object has come to rest."))
 
     @property
     def _base(self) -> BasePose:
@@ -68,7 +66,6 @@ class Oracle:
         yield from self._look("FIND_RECEPTACLE", goal, self._release_point())
         yield from self._stand("NAVIGATE_TO_RECEPTACLE", certificate.release)
         yield from self._release()
-        yield Decision(DiscreteAction.STOP, "DONE", "The object has come to rest.")
 
     def _position(self, name: str) -> Point2:
         x, y = self._environment.simulator.object_pose(name)[:2, 3]
@@ -100,7 +97,7 @@ class Oracle:
     def _drive(self, state: str, goal: Point2) -> Iterator[Decision]:
         if self._base.distance_to(*goal) < 1e-3:
             return
-        for point in PathField(self._floor, goal).path_from(self._base.x, self._base.y):
+        for point in PathField(self._environment.simulator.floor, goal).path_from(self._base.x, self._base.y):
             for action in to_point(self._base, point):
                 yield Decision(action, state, f"Drive to ({point[0]:.2f}, {point[1]:.2f}).")
 

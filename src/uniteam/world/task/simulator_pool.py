@@ -14,9 +14,11 @@ class SimulatorPool:
 
     def take(self, home: Home, camera: PinholeCamera) -> Simulator:
         """Return an idle simulator of this home and camera, or compile one."""
-        for i, (idle_home, idle_camera, _) in enumerate(self._idle):
+        for i in reversed(range(len(self._idle))):
+            idle_home, idle_camera, simulator = self._idle[i]
             if idle_home.name == home.name and idle_camera == camera and idle_home == home:
-                return self._idle.pop(i)[2]
+                del self._idle[i]
+                return simulator
         return Simulator(home, camera)
 
     def give_back(self, home: Home, camera: PinholeCamera, simulator: Simulator) -> None:

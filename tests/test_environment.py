@@ -1,0 +1,136 @@
+"""The environment: what an agent sees, when an episode is over, and that the same actions give the same trace."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from uniteam.errors import InvalidInputError
+from uniteam.geometry import PinholeCamera, invert_transform
+from uniteam.interface import (
+    Action,
+    BaseDisplacement,
+    DiscreteAction,
+    JointDisplacement,
+    Joints,
+    Observation,
+)
+from uniteam.world.task.environment import MAXIMUM_STEPS, Environment
+from uniteam.world.task.episode import Episode, Split
+from uniteam.world.task.splits import load_split
+
+SMALL_CAMERA = PinholeCamera.from_horizontal_fov(48, 64, np.radians(42.0))
+
+
+@pytest.fixture(scope="module")
+def split() -> Split:
+    return load_split("minival")
+
+
+def _environment(split: Split, episode: Episode | None = None, give_truth: bool = False) -> Environment:
+    episode = split.episodes[0] if episode is None else episode
+    return Environment(split.homes[episode.home], episode, SMALL_CAMERA, give_truth)
+
+
+def _random_actions(seed: int, count: int) -> list[Action]:
+    rng = np.random.default_rng(seed)
+    moves: list[Action] = [action for action in DiscreteAction if action is not DiscreteAction.STOP]
+    for _ in range(count):
+        moves.append(BaseDisplacement(float(rng.uniform(0.1, 1.0)), 0.0, float(rng.uniform(-3.0, 3.0))))
+        moves.append(JointDisplacement(Joints(float(rng.uniform(-0.2, 0.2)), float(rng.uniform(-0.2, 0.2)))))
+    return [moves[i] for i in rng.permutation(len(moves))[:count]]
+
+
+def _same(one: Observation, other: Observation) -> bool:
+    return (
+        np.array_equal(one.rgb, other.rgb)
+        and np.array_equal(one.depth, other.depth)
+        and np.array_equal(one.camera_to_start, other.camera_to_start)
+        and (one.base_to_start, one.joints, one.is_holding) == (other.base_to_start, other.joints, other.is_holding)
+    )
+
+
+def test_two_environments_side_by_side_agree_to_the_bit(split: Split) -> None:
+    one, other = _environment(split), _environment(split)
+    assert _same(one.reset(), other.reset())
+    for action in _random_actions(0, 40):
+        assert _same(one.step(action), other.step(action))
+        assert one.measures == other.measures
+
+
+def test_a_reset_brings_back_the_first_observation_and_clears_the_measures(split: Split) -> None:
+    environment = _environment(split)
+    first = environment.reset()
+    for action in _random_actions(1, 20):
+        environment.step(action)
+    assert _same(environment.reset(), first)
+    assert environment.measures.num_steps == 0
+
+
+def test_an_object_that_was_carried_away_lies_in_its_place_after_a_reset(split: Split) -> None:
+    environment = _environment(split)
+    certificate = environment.episode.certificate
+    assert certificate is not None
+    environment.reset()
+    before = environment.simulator.object_pose(certificate.object)
+    simulator = environment.simulator
+    simulator.reset(certificate.grasp)
+    environment.step(DiscreteAction.MANIPULATION_MODE)
+    assert environment.step(DiscreteAction.SNAP_OBJECT).is_holding
+    environment.reset()
+    assert simulator.held is None
+    assert np.array_equal(simulator.object_pose(certificate.object), before)
+
+
+def test_an_episode_after_another_of_the_same_home_shares_its_simulator(split: Split) -> None:
+    first = _environment(split)
+    simulator = first.simulator
+    del first
+    second = next(e for e in split.episodes[1:] if e.home == split.episodes[0].home)
+    assert _environment(split, second).simulator is simulator
+
+
+def test_poses_are_given_from_where_the_episode_began(split: Split) -> None:
+    environment = _environment(split)
+    start = environment.reset()
+    assert np.allclose([start.base_to_start.x, start.base_to_start.y, start.base_to_start.heading], 0.0)
+    turned = environment.step(DiscreteAction.TURN_LEFT)
+    assert turned.base_to_start.heading == pytest.approx(np.radians(30.0))
+    to_start = invert_transform(environment.episode.start.matrix())
+    assert np.allclose(turned.camera_to_start, to_start @ environment.simulator.camera_to_world())
+    assert 1.2 < turned.camera_to_start[2, 3] < 1.4
+
+
+def test_truth_is_given_only_to_those_who_asked(split: Split) -> None:
+    assert _environment(split).reset().truth is None
+    environment = _environment(split, give_truth=True)
+    observation = environment.reset()
+    assert observation.truth is not None
+    for index in np.unique(observation.truth.instances[observation.truth.instances >= 0]):
+        assert observation.truth.detections[index].candidates == ((environment.home.instances[index].category, 1.0),)
+
+
+def test_stop_ends_the_episode(split: Split) -> None:
+    environment = _environment(split)
+    environment.reset()
+    environment.step(DiscreteAction.STOP)
+    assert environment.is_over
+    assert environment.measures.does_want_terminate
+    with pytest.raises(InvalidInputError, match="is over"):
+        environment.step(DiscreteAction.TURN_LEFT)
+
+
+def test_the_steps_of_an_episode_run_out(split: Split) -> None:
+    environment = _environment(split)
+    environment.reset()
+    for _ in range(MAXIMUM_STEPS):
+        assert not environment.is_over
+        environment.step(DiscreteAction.EMPTY_ACTION)
+    assert environment.is_over
+    assert not environment.measures.does_want_terminate
+
+
+def test_an_episode_is_not_played_in_another_home(split: Split) -> None:
+    home = split.homes[split.episodes[0].home]
+    with pytest.raises(InvalidInputError, match="elsewhere"):
+        Environment(home, replace(split.episodes[0], home="elsewhere"))
