@@ -1,6 +1,7 @@
-"""Leaves for doors: each stands open, folded back against its wall or along the wall beside it, out of the way."""
+"""Leaves for doors: the entrance is closed, the others stand open, folded back out of the way."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from numpy.random import Generator
 
@@ -8,11 +9,52 @@ from uniteam.world.assets.catalogue import Model
 from uniteam.world.homes.floor_plan import FloorPlan
 from uniteam.world.homes.openings import WALL_THICKNESS, PlannedOpening, PlannedWall
 from uniteam.world.homes.placement import Placement
+from uniteam.world.homes.rect import Rect
 
 _FROM_WALL = 1
 """Handles keep a leaf this far from what it is folded against (cm)."""
+_SUNK = 5
+"""How deep the entrance's leaf stands in its wall (cm)."""
+_BEFORE_ENTRANCE = 80
 _NEAR = 40
 """A door so near to a corner opens against the wall beside it (cm)."""
+
+
+@dataclass(frozen=True)
+class Entrance:
+    """The home's closed front door.
+
+    Attributes:
+        room: index of the room it leads into.
+        leaf: where it is.
+        free: the floor before it.
+    """
+
+    room: int
+    leaf: Placement
+    free: Rect
+
+
+def draw_entrance(plan: FloorPlan, walls: Sequence[PlannedWall], model: Model, rng: Generator) -> Entrance | None:
+    """Return a front door in an outer wall of the hall, or of the living room where there is no hall."""
+    kinds = [room.kind for room in plan]
+    room = kinds.index("hall" if "hall" in kinds else "living_room")
+    half_width, half_thickness = Placement(model, 0, 0, 0).half_size
+    spots = [
+        (wall, along)
+        for wall in walls
+        if wall.is_exterior and room in wall.rooms
+        for along in range(half_width + 20, wall.length - half_width - 20, 10)
+        if all(along + half_width + 15 < o.start or o.end < along - half_width - 15 for o in wall.openings)
+    ]
+    if not spots:
+        return None
+    wall, along = spots[int(rng.integers(len(spots)))]
+    away = 1 if room == wall.rooms[1] else -1
+    across = wall.across + away * (WALL_THICKNESS // 2 + half_thickness - _SUNK)
+    leaf = _placed(wall, model, wall.start + along, across, _back_across(wall, -away))
+    opening = PlannedOpening("door", along - half_width, along + half_width, 0, 0)
+    return Entrance(room, leaf, wall.stretch(opening, _BEFORE_ENTRANCE))
 
 
 def open_leaves(

@@ -37,7 +37,7 @@ ROOM_SIZES = {
     "office": RoomSize((8.5, 13.0), 260, 1.9),
     "bathroom": RoomSize((5.5, 9.5), 200, 2.1),
     "laundry": RoomSize((5.0, 8.0), 190, 2.2),
-    "hall": RoomSize((4.0, 22.0), 140, 10.0),
+    "hall": RoomSize((4.0, 18.0), 140, 7.5),
 }
 
 
@@ -165,7 +165,7 @@ def _hall_with_cap(rng: Generator, day: Sequence[str], night: Sequence[str]) -> 
 
 
 def _hall_between(rng: Generator, south: Sequence[_Stack], north: Sequence[_Stack]) -> list[tuple[str, Rect]]:
-    hall_width = _rounded(rng.uniform(150, 210))
+    hall_width = _rounded(rng.uniform(140, 200))
     south_depth, north_depth = (_rounded(rng.uniform(300, 460)) for _ in range(2))
     lower = _row(rng, south, 0, -south_depth, south_depth)
     upper = _row(rng, north, 0, hall_width, north_depth)

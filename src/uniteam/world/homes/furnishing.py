@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 
 from uniteam.world.assets.catalogue import Catalogue, Model, Pool
-from uniteam.world.homes.doors import fitting_leaves, open_leaves
+from uniteam.world.homes.doors import Entrance, draw_entrance, fitting_leaves, open_leaves
 from uniteam.world.homes.floor_plan import FloorPlan, PlannedRoom
 from uniteam.world.homes.furniture_kinds import models_of_kind
 from uniteam.world.homes.furniture_rules import RULES, Rule
@@ -63,8 +63,11 @@ def furnish(
         ceiling: its height (cm).
         rng: for every choice.
     """
-    floors = [bare_floor(index, room, walls) for index, room in enumerate(plan)]
+    entrance = draw_entrance(plan, walls, shop.doors[int(rng.integers(len(shop.doors)))], rng) if shop.doors else None
+    floors = [bare_floor(index, room, walls, entrance) for index, room in enumerate(plan)]
     leaves = _hang_doors(plan, walls, floors, shop, rng)
+    if entrance is not None:
+        leaves[entrance.room].append(entrance.leaf)
     return tuple(
         FurnishedRoom(room, (*leaves[index], *_Furnisher(room, floors[index], shop, ceiling, rng).furnish()))
         for index, room in enumerate(plan)
@@ -96,7 +99,9 @@ def _has_space(floor: RoomFloor, leaf: Placement) -> bool:
     return bool(floor.unobstructed(row)[0]) and floor.stays_passable(leaf.volume, ())
 
 
-def bare_floor(index: int, room: PlannedRoom, walls: Sequence[PlannedWall]) -> RoomFloor:
+def bare_floor(
+    index: int, room: PlannedRoom, walls: Sequence[PlannedWall], entrance: Entrance | None = None
+) -> RoomFloor:
     """Return the floor of a room, with the strips before its doors and its windows kept free."""
     inner = room.rect.grown(-WALL_THICKNESS // 2)
     doors, windows = [], []
@@ -106,6 +111,8 @@ def bare_floor(index: int, room: PlannedRoom, walls: Sequence[PlannedWall]) -> R
                 windows.append(Volume(wall.stretch(opening, 25), opening.bottom, opening.top))
             else:
                 doors.append(_clipped(wall.stretch(opening, _DOOR_DEPTH), inner))
+    if entrance is not None and entrance.room == index:
+        doors.append(_clipped(entrance.free, inner))
     return RoomFloor(inner, doors, windows)
 
 

@@ -14,7 +14,7 @@ _CARPET = ("carpet",)
 _FLOOR_TILES = ("tile", "linoleum", "marble")
 _PAINT = ("paint", "plaster_white")
 _WALLPAPER = ("wallpaper", "plaster", "paint")
-_WALL_TILES = ("tile", "marble")
+_WALL_TILES = ("tile",)
 _BRICKS = ("bricks",)
 
 _FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
@@ -27,7 +27,7 @@ _WALLS: dict[str, tuple[tuple[str, ...], ...]] = {
     "bathroom": (_WALL_TILES, _WALL_TILES, _PAINT), "kitchen": (_PAINT, _WALL_TILES, _WALLPAPER),
     "laundry": (_PAINT, _WALL_TILES),
 }  # fmt: skip
-_PLAIN_WALLS = (_PAINT, _PAINT, _PAINT, _WALLPAPER, _WALLPAPER, _BRICKS)
+_PLAIN_WALLS = (_PAINT, _PAINT, _PAINT, _PAINT, _PAINT, _WALLPAPER, _WALLPAPER, _WALLPAPER, _BRICKS)
 
 _TINTS = (
     (1.0, 0.98, 0.94), (0.97, 0.97, 0.97), (0.95, 0.92, 0.84), (0.84, 0.9, 0.93), (0.86, 0.92, 0.84),
