@@ -19,7 +19,7 @@ from uniteam.world.task.splits import load_split
 SPLIT, AGENT, PERCEPTION = "minival", "uniteam", "truth"
 
 
-def bench(out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None, episodes: int = 5) -> None:
+def bench(out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None, episodes: int = 10) -> None:
     """Measure the steps a second of one process, and the milliseconds a step spends where.
 
     Plays episodes of minival with the agent uniteam, perception truth and the half-size camera, after everything is

@@ -1,7 +1,7 @@
 """Agents by name for the runner: those of the mind, and the oracle, which lives with the task."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from uniteam.errors import UnknownNameError
@@ -63,15 +63,20 @@ def label_agents(
     """
     labelled = {}
     for name in names:
-        plain, changed = AgentSpec(name, perception), AgentSpec(name, perception, added, removed)
-        same = changed.describe() == plain.describe()
-        labelled[name if same else _changed_label(name, added, removed)] = plain if same else changed
+        plain = AgentSpec(name, perception)
+        effective = AgentSpec(
+            name,
+            perception,
+            tuple(a for a in added if replace(plain, added=(a,)).describe() != plain.describe()),
+            tuple(r for r in removed if replace(plain, removed=(r,)).describe() != plain.describe()),
+        )
+        labelled[_label(effective)] = effective
     return labelled
 
 
-def _changed_label(name: str, added: tuple[str, ...], removed: tuple[str, ...]) -> str:
-    """Return "uniteam with a, b without c"."""
-    parts = [name]
-    parts += ["with " + ", ".join(sorted(added))] if added else []
-    parts += ["without " + ", ".join(sorted(removed))] if removed else []
+def _label(spec: AgentSpec) -> str:
+    """Return "uniteam", or "baseline with edge_margin" or "uniteam without edge_margin"."""
+    parts = [spec.name]
+    parts += ["with " + ", ".join(sorted(spec.added))] if spec.added else []
+    parts += ["without " + ", ".join(sorted(spec.removed))] if spec.removed else []
     return " ".join(parts)
