@@ -13,6 +13,7 @@ from uniteam.mind.manipulation.stepwise import CloseInStepwise
 from uniteam.mind.manipulation.surface import SafeFromEdges, densest_slab
 from uniteam.mind.manipulation.surface_fallback import OntoFlatSurface
 from uniteam.mind.mapping.birds_eye_map import MapConfig
+from uniteam.mind.navigation.collision_memory import COLLISION_MAPPING
 from uniteam.mind.navigation.exploration import FIND_OBJECT, FIND_RECEPTACLE, ChooseGoal
 from uniteam.mind.navigation.planner import PlannerConfig
 from uniteam.mind.perception.filters import Filter, FloorFilter, ScoreFilter, Thresholds
@@ -47,7 +48,7 @@ class AgentConfig:
         """Return this configuration with some of UniTeam's improvements, in the order in which they are defined."""
         config = self
         for improvement in Improvement:
-            if improvement in improvements:
+            if improvement in improvements and improvement in _IMPROVERS:
                 config = _IMPROVERS[improvement](config)
         return config
 
@@ -80,6 +81,10 @@ def _floor_filter(config: AgentConfig) -> AgentConfig:
     return replace(config, filters=(*config.filters, FloorFilter()))
 
 
+def _collision_mapping(config: AgentConfig) -> AgentConfig:
+    return replace(config, planner=replace(config.planner, collisions=COLLISION_MAPPING))
+
+
 def _look_around_pick(config: AgentConfig) -> AgentConfig:
     return replace(config, pick=replace(config.pick, bring_into_view=LookAround()))
 
@@ -107,6 +112,7 @@ def _drop_height(config: AgentConfig) -> AgentConfig:
 _IMPROVERS: dict[Improvement, Callable[[AgentConfig], AgentConfig]] = {
     Improvement.CLASS_THRESHOLDS: _class_thresholds,
     Improvement.FLOOR_FILTER: _floor_filter,
+    Improvement.COLLISION_MAPPING: _collision_mapping,
     Improvement.LOOK_AROUND_PICK: _look_around_pick,
     Improvement.VERIFY_PICK: _verify_pick,
     Improvement.STEPWISE_PLACE: _stepwise_place,

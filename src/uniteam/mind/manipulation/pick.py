@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
 from uniteam.interface import DiscreteAction
@@ -81,16 +82,16 @@ def object_points(view: View) -> Points:
 def load_seen(view: View) -> Load:
     """Return the room the object will take in the gripper, by its points in view; that of a cup where it is not seen.
 
-    The gripper holds a thing by its middle, so half of it hangs below.
+    The gripper takes a thing by its top and turns it so that its long side lies along the base.
     """
     points = object_points(view)
     if len(points) == 0:
         return object_of_unknown_size()
-    low, high = np.percentile(points, (1, 99), axis=0)
-    width, depth, height = (float(extent) for extent in high - low)
-    return Load(radius=max(width, depth) / 2, below=height / 2)
+    _, sides, _ = cv2.minAreaRect(np.ascontiguousarray(points[:, :2], dtype=np.float32))
+    low, high = np.percentile(points[:, 2], (1, 99))
+    return Load(max(sides) / 2, min(sides) / 2, float(high - low))
 
 
 def object_of_unknown_size() -> Load:
     """Return the room that a cup takes, for what was not seen."""
-    return Load(radius=0.06, below=0.06)
+    return Load(along_base=0.06, along_arm=0.06, below=0.12)

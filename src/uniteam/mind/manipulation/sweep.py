@@ -19,13 +19,20 @@ FOOTPRINT = 0.3
 
 @dataclass(frozen=True)
 class Load:
-    """What the gripper holds: how far it reaches to the sides and below the grasp centre (m)."""
+    """The room that what the gripper holds takes around the grasp centre, whichever way the wrist turns (m).
 
-    radius: float
+    Attributes:
+        along_base: how far it reaches ahead and behind, along the base's x axis.
+        along_arm: how far it reaches out and back, along the arm.
+        below: how far it hangs down.
+    """
+
+    along_base: float
+    along_arm: float
     below: float
 
 
-EMPTY_GRIPPER = Load(radius=0.0, below=0.0)
+EMPTY_GRIPPER = Load(0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -85,6 +92,6 @@ def _gripper(joints: Joints, load: Load, config: SweepConfig) -> _SweptBox:
     wrist = ARM_AXIS[1] + joints.lift
     low = min(float(z) - max(config.gripper, load.below), wrist - config.tube)
     high = max(float(z) + config.gripper, wrist + config.tube)
-    end = max(-float(y) + max(config.fingers, load.radius), joints.arm - WRIST_YAW_AXIS[1] + config.gripper)
-    half_width = max(config.gripper, load.radius) + config.margin
+    end = max(-float(y) + max(config.fingers, load.along_arm), joints.arm - WRIST_YAW_AXIS[1] + config.gripper)
+    half_width = max(config.gripper, load.along_base) + config.margin
     return _SweptBox(float(x), half_width, end + config.margin, low - config.margin, high + config.margin)
