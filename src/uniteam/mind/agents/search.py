@@ -6,7 +6,7 @@ from enum import Enum, auto
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.interface import DiscreteAction
+from uniteam.interface import Action, DiscreteAction
 from uniteam.mind.agents.memory import Memory
 from uniteam.mind.agents.misses import Misses
 from uniteam.mind.manipulation.skill import Step
@@ -19,6 +19,10 @@ from uniteam.timing import section
 
 FULL_TURN = 12
 """Turns of 30 degrees."""
+BLOCKED_OFTEN = 3
+"""Forward motions that were blocked one after the other."""
+NEARLY_THERE = 0.6
+"""m along the path."""
 
 
 class Finding(Enum):
@@ -57,12 +61,28 @@ def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, F
     memory.idle_turns = 0
     goal, plan = memory.goal, memory.plan = found
     finding = Finding.IN_SIGHT if goal.kind is search.target else Finding.NOTHING
-    if plan.action is not None:
-        return Step(plan.action, _reason(goal, plan, memory)), finding
+    action = plan.action
+    if finding is Finding.IN_SIGHT and _is_stuck_before(plan, memory):
+        action = _turn_to_face(goal, memory, base)
+    if action is not None:
+        return Step(action, _reason(goal, plan, memory)), finding
     if finding is Finding.IN_SIGHT:
         memory.planner.interrupt()
         return None, finding
     return Step(DiscreteAction.TURN_LEFT, f"I have come to the {_words(goal, memory)} and look around."), finding
+
+
+def _is_stuck_before(plan: Plan, memory: Memory) -> bool:
+    """Whether the robot is blocked so near to what it searched that it has as good as arrived."""
+    return memory.planner.blocked_in_a_row >= BLOCKED_OFTEN and plan.distance <= NEARLY_THERE
+
+
+def _turn_to_face(goal: Goal, memory: Memory, base: BasePose) -> Action | None:
+    """Return the turn that is missing to face the goal's nearest cell, or None."""
+    cells = goal.cells if goal.face is None else goal.face
+    points = memory.bird_map.to_points(np.argwhere(cells))
+    nearest = points[np.argmin(np.hypot(points[:, 0] - base.x, points[:, 1] - base.y))]
+    return memory.config.planner.face(base.bearing_to(*nearest))
 
 
 def _choices(search: Search, memory: Memory) -> tuple[tuple[ChooseGoal, ...], Misses]:
