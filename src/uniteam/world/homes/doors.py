@@ -60,19 +60,27 @@ def draw_entrance(plan: FloorPlan, walls: Sequence[PlannedWall], model: Model, r
 def open_leaves(
     plan: FloorPlan, wall: PlannedWall, opening: PlannedOpening, model: Model, rng: Generator
 ) -> Iterator[tuple[int, Placement]]:
-    """Yield (room index, leaf) for every way a door may stand open, those into the smaller room first."""
-    sides = sorted((room for room in wall.rooms if room is not None), key=lambda room: plan[room].rect.area)
+    """Yield (room index, leaf) for every way a door may stand open: out of the hall first, into the smaller room."""
+    rooms = [room for room in wall.rooms if room is not None]
+    sides = sorted(rooms, key=lambda room: (plan[room].kind == "hall", plan[room].rect.area))
     ends = (opening.start, opening.end) if rng.random() < 0.5 else (opening.end, opening.start)
     for room in sides:
         upward = room == wall.rooms[1]
         for hinge in ends:
             outward = -1 if hinge == opening.start else 1
-            for leaf in _ways_to_fold(wall, model, hinge, outward, upward):
-                yield room, leaf
+            if _distance_to_corner(wall, hinge, outward, plan[room].rect) <= _NEAR:
+                yield room, _along_side_wall(wall, model, hinge, outward, upward)
+            yield room, _flat_on_wall(wall, model, hinge, outward, upward)
 
 
-def _ways_to_fold(wall: PlannedWall, model: Model, hinge: int, outward: int, upward: bool) -> Iterator[Placement]:
-    """Yield the leaf along the side wall where one is near, then flat against the door's own wall.
+def _distance_to_corner(wall: PlannedWall, hinge: int, outward: int, room: Rect) -> int:
+    """Return how far (cm) a hinge is from the room's corner on its side."""
+    low, high = (room.x0, room.x1) if wall.horizontal else (room.y0, room.y1)
+    return wall.start + hinge - low if outward < 0 else high - wall.start - hinge
+
+
+def _along_side_wall(wall: PlannedWall, model: Model, hinge: int, outward: int, upward: bool) -> Placement:
+    """Return the leaf opened by a right angle.
 
     Args:
         wall: with the door.
@@ -82,15 +90,18 @@ def _ways_to_fold(wall: PlannedWall, model: Model, hinge: int, outward: int, upw
         upward: whether it opens to the wall's upper (or right) side.
     """
     half_width, half_thickness = Placement(model, 0, 0, 0).half_size
+    along = wall.start + hinge + outward * (half_thickness + 1)
+    across = wall.across + (1 if upward else -1) * (WALL_THICKNESS // 2 + half_width + 2)
+    return _placed(wall, model, along, across, _back_along(wall, outward))
+
+
+def _flat_on_wall(wall: PlannedWall, model: Model, hinge: int, outward: int, upward: bool) -> Placement:
+    """Return the leaf folded back all the way; arguments as of `_along_side_wall`."""
+    half_width, half_thickness = Placement(model, 0, 0, 0).half_size
     away = 1 if upward else -1
-    to_corner = hinge if outward < 0 else wall.length - hinge
-    if to_corner <= _NEAR:
-        along = wall.start + hinge + outward * (half_thickness + 1)
-        across = wall.across + away * (WALL_THICKNESS // 2 + half_width + 2)
-        yield _placed(wall, model, along, across, _back_along(wall, outward))
     along = wall.start + hinge + outward * (half_width + 2)
     across = wall.across + away * (WALL_THICKNESS // 2 + half_thickness + _FROM_WALL)
-    yield _placed(wall, model, along, across, _back_across(wall, -away))
+    return _placed(wall, model, along, across, _back_across(wall, -away))
 
 
 def _placed(wall: PlannedWall, model: Model, along: int, across: int, quarters: int) -> Placement:

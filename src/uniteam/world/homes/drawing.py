@@ -145,12 +145,15 @@ class _Plan:
         if model.shapes and piece.position[2] < 1.0:
             self._fill(outline, _ROLE_COLOURS[model.role], _INK)
             cv2.line(self._canvas, self._pixel(outline[0]), self._pixel(outline[1]), (200, 90, 30), 2, cv2.LINE_AA)
+            if model.role != "door":
+                self._label(piece.category.replace("_", " "), outline.mean(axis=0))
         else:
             pixels = np.array([self._pixel(point) for point in outline], np.int32)
             cv2.polylines(self._canvas, [pixels], True, (150, 140, 160), 1, cv2.LINE_AA)
-        label = piece.category.replace("_", " ")
-        centre = outline.mean(axis=0)
-        self._write(label, (centre[0] - 0.038 * len(label), centre[1] - 0.03), 0.36, 1)
+
+    def _label(self, text: str, centre: NDArray[np.float64]) -> None:
+        (width, height), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, 0.36, 1)
+        self._write(text, tuple(centre - np.array([width, height]) / (2 * PIXELS_PER_METRE)), 0.36, 1)
 
     def _write(self, text: str, at: tuple[float, float], size: float, weight: int) -> None:
         cv2.putText(self._canvas, text, self._pixel(at), cv2.FONT_HERSHEY_SIMPLEX, size, _INK, weight, cv2.LINE_AA)

@@ -44,7 +44,7 @@ class FurnitureShop:
     @property
     def doors(self) -> tuple[Model, ...]:
         """The leaves of doors, sorted by id."""
-        return tuple(sorted((m for m in self.catalogue.models.values() if m.role == "door"), key=lambda m: m.id))
+        return self.catalogue.of_category("door")
 
     def choose(self, kind: str, rng: Generator) -> Model | None:
         """Return a model of a kind, or None where the catalogue has none."""
@@ -135,6 +135,8 @@ class _Furnisher:
         return (placement for _, placement in self._standing)
 
     def _apply(self, rule: Rule) -> None:
+        if rule.only_if_none and any(kind in rule.kinds for kind, _ in self._standing):
+            return
         wanted = int(self._rng.integers(rule.count[0], rule.count[1] + 1))
         for kind in rule.kinds:
             placed = 0
@@ -164,6 +166,7 @@ class _Furnisher:
         return [placement for kind, placement in self._standing if kind == rule.anchor]
 
     def _first_fitting(self, placements: list[Placement], rule: Rule) -> Placement | None:
+        placements = [p for p in placements if p.volume.top <= self._ceiling]
         if not placements:
             return None
         if _is_flat(placements[0].model):

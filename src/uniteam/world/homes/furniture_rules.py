@@ -28,6 +28,7 @@ class Rule:
         elbow_room: kept free around the piece (cm).
         one_model: whether all pieces are of one model, as chairs around a table are.
         covers_window: whether it may be before a window.
+        only_if_none: whether the rule is passed over where a piece of its kinds stands already.
     """
 
     kind: str | tuple[str, ...]
@@ -39,6 +40,7 @@ class Rule:
     elbow_room: int = 0
     one_model: bool = True
     covers_window: bool = False
+    only_if_none: bool = False
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -48,7 +50,7 @@ class Rule:
 
 _DRESSING = (
     Rule("radiator", placing.under_window, 0.6),
-    Rule("picture", hanging.on_wall, 0.8, (1, 3), elbow_room=15, one_model=False),
+    Rule("picture", hanging.on_wall, 0.7, (1, 2), elbow_room=15, one_model=False),
     Rule("wall_clock", hanging.on_wall, 0.25, elbow_room=15),
     Rule("plant", placing.in_corner, 0.5, (1, 2), one_model=False),
     Rule("ceiling_lamp", hanging.on_ceiling, 0.6),
@@ -93,10 +95,11 @@ KITCHEN = (
     Rule("kitchen_sink", placing.mid_wall),
     Rule("counter", placing.in_row, 1.0, (1, 2), anchor="kitchen_sink", one_model=False),
     Rule("oven", placing.in_row, anchor="counter"),
-    Rule("oven", placing.in_row, 0.5, anchor="kitchen_sink"),
+    Rule("oven", placing.in_row, anchor="kitchen_sink", only_if_none=True),
     Rule("counter", placing.in_row, 1.0, (1, 2), anchor="oven", one_model=False),
     Rule("counter", placing.in_row, 0.6, anchor="counter", one_model=False),
     Rule("dishwasher", placing.in_row, 0.4, anchor="kitchen_sink"),
+    Rule("oven", placing.against_wall, only_if_none=True),
     Rule("refrigerator", placing.in_corner),
     Rule("range_hood", hanging.overhead, 0.8, anchor="oven"),
     Rule("upper_cabinet", hanging.overhead, 0.8, (2, 4), anchor="counter"),
@@ -140,6 +143,7 @@ DINING_ROOM = (
 
 BEDROOM = (
     Rule(("bed", "single_bed"), placing.mid_wall),
+    Rule(("single_bed", "bed"), placing.in_corner, only_if_none=True),
     Rule("bedside_table", placing.beside, 0.9, (1, 2), anchor="bed"),
     Rule("bedside_table", placing.beside, 0.9, anchor="single_bed"),
     Rule("wardrobe", placing.against_wall, 0.85),
