@@ -6,12 +6,12 @@ two stands in the certificate, reaches overall success from the episode's start.
 """
 
 from collections.abc import Iterator
-from itertools import islice, product, zip_longest
+from itertools import chain, islice, product, repeat
 
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.interface import DiscreteAction
+from uniteam.interface import Action, DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home
@@ -19,20 +19,22 @@ from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.drop_points import DropPoints, drop_points
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Candidate, Certificate, Episode
-from uniteam.world.task.oracle import Oracle
+from uniteam.world.task.judge import rests_on
+from uniteam.world.task.oracle import MOST_WAITING, Oracle
+from uniteam.world.task.pilot import Pilot
 from uniteam.world.task.stands import Release, grasp_stands, releases
 from uniteam.world.task.tasks import Task
 from uniteam.world.task.view_points import Viewpoints
 
 GRASP_TRIES = 6
-RELEASE_TRIES = 4
-EPISODE_TRIES = 8
+RELEASE_TRIES = 10
+EPISODE_TRIES = 4
 """How many proposals the simulator is asked about: for an object, for an object and a receptacle, for an episode."""
 GRASP_RANGE = 0.9
 RELEASE_RANGE = 0.7
 """How far from an instance a stand may be (m)."""
-DROP_HEIGHTS = (0.04, 0.15, 0.4)
-"""How far above a surface an object's bottom is released (m); from higher where a rim is in the way."""
+LEAST_DROP, MOST_DROP = 0.04, 0.75
+"""How far above a surface an object's bottom is released (m); from higher where it must pass a rim."""
 HEADROOM = {MANIPULATION_POSTURE.wrist_pitch: 0.35, 0.0: 0.12}
 """By the wrist's pitch (rad), what the arm needs above an object (m); level, it reaches higher and between boards."""
 EDGE_MARGIN = 0.02
@@ -47,7 +49,9 @@ class Certifier:
         self.home = home
         self.simulator = Simulator(home, HEAD_CAMERA_HALF)
         self._views = Viewpoints(home, self.simulator.floor, self.simulator.physics.model)
+        self._pilot = Pilot(self.simulator)
         self._grasps: dict[str, BasePose | None] = {}
+        self._tried_releases: dict[tuple[str, str], Release | None] = {}
 
     def certify(self, task: Task, identifier: str, start: BasePose, seed: int) -> Episode | None:
         """Return the episode of a task with its certificate, or None where no way was found to solve it."""
@@ -75,14 +79,12 @@ class Certifier:
         return tuple(candidate for candidate in candidates if candidate.view_points)
 
     def _proposals(self, objects: tuple[Candidate, ...], goals: tuple[Candidate, ...]) -> Iterator[Certificate]:
-        """Yield what could be tried: every pair's best way to release, then every pair's second best, and so on."""
-        grasps = {candidate.name: self._grasp(candidate.name) for candidate in objects}
-        pairs = [(name, grasp, goal.name) for name, grasp in grasps.items() if grasp for goal in goals]
-        ways = [islice(self._releases(name, goal), RELEASE_TRIES) for name, _, goal in pairs]
-        for found in zip_longest(*ways):
-            for (name, grasp, goal), release in zip(pairs, found, strict=True):
-                if release is not None:
-                    yield Certificate(name, grasp, goal, release.stand, release.joints)
+        """Yield a way to solve the task with each object and each goal receptacle for which there is one."""
+        for candidate, goal in product(objects, goals):
+            grasp = self._grasp(candidate.name)
+            release = None if grasp is None else self._release(candidate.name, grasp, goal.name)
+            if grasp is not None and release is not None:
+                yield Certificate(candidate.name, grasp, goal.name, release.stand, release.joints)
 
     def _grasp(self, name: str) -> BasePose | None:
         """Return a stand from which an object was grasped in the simulator."""
@@ -97,10 +99,31 @@ class Certifier:
 
     def _can_grasp(self, stand: BasePose, name: str) -> bool:
         self.simulator.reset(stand)
+        return self._goes_well(self._pilot.grasp(), name) and self.simulator.held == name
+
+    def _release(self, name: str, grasp: BasePose, receptacle: str) -> Release | None:
+        """Return a way in which a held object was put on a receptacle in the simulator."""
+        key = (name, receptacle)
+        if key not in self._tried_releases:
+            ways = islice(self._releases(name, receptacle), RELEASE_TRIES)
+            tried = (way for way in ways if self._can_release(way, name, grasp, receptacle))
+            self._tried_releases[key] = next(tried, None)
+        return self._tried_releases[key]
+
+    def _can_release(self, release: Release, name: str, grasp: BasePose, receptacle: str) -> bool:
+        self.simulator.reset(grasp)
+        plan = chain(self._pilot.grasp(), self._pilot.stand(release.stand), self._pilot.release(release.joints))
+        return self._goes_well(plan, name) and self._comes_to_rest(name, receptacle)
+
+    def _goes_well(self, plan: Iterator[Action], name: str) -> bool:
+        """Do a plan as long as nothing is touched and nothing is in the way."""
         category = self.home.by_name[name].category
-        actions = (DiscreteAction.MANIPULATION_MODE, DiscreteAction.SNAP_OBJECT, DiscreteAction.NAVIGATION_MODE)
-        events = [self.simulator.apply(action, category) for action in actions]
-        return events[1].grasped == name and not any(event.scene_collision for event in events)
+        events = (self.simulator.apply(action, category) for action in plan)
+        return not any(event.scene_collision or event.base_blocked for event in events)
+
+    def _comes_to_rest(self, name: str, receptacle: str) -> bool:
+        nothing = repeat(DiscreteAction.EMPTY_ACTION, MOST_WAITING)
+        return self._goes_well(nothing, name) and rests_on(self.simulator, name, {receptacle})
 
     def _releases(self, name: str, receptacle: str) -> Iterator[Release]:
         """Yield ways to hold an object over a receptacle, one of each surface, posture and height at a time."""
@@ -108,8 +131,10 @@ class Certifier:
         floor_points = self._views.standable(instance, RELEASE_RANGE)
         width, depth, height = load_catalogue()[self.home.by_name[name].model].size
         margin = float(np.hypot(width, depth)) / 2.0 + EDGE_MARGIN
+        top = instance.position[2] + load_catalogue()[instance.model].size[2]
         surfaces = sorted(drop_points(self.home, instance), key=lambda surface: -surface.margins.max())
-        for drop, surface, pitch in product(DROP_HEIGHTS, surfaces, HEADROOM):
+        drops = [(surface, drop) for surface in surfaces for drop in _drops(surface, top)]
+        for (surface, drop), pitch in product(sorted(drops, key=lambda pair: pair[1] != LEAST_DROP), HEADROOM):
             if surface.clearance >= height + drop + HEADROOM[pitch]:
                 yield from islice(_ways(surface, floor_points, height + drop, pitch, margin), 1)
 
@@ -121,6 +146,12 @@ class Certifier:
         while not environment.is_over:
             observation = environment.step(oracle.act(observation).action)
         return environment.measures.overall_success
+
+
+def _drops(surface: DropPoints, top: float) -> list[float]:
+    """Return from how high above a surface to release (m): just above it, or just above the furniture's top."""
+    over_the_top = top + LEAST_DROP - surface.height
+    return [LEAST_DROP, over_the_top] if LEAST_DROP < over_the_top < MOST_DROP else [LEAST_DROP]
 
 
 def _ways(

@@ -4,7 +4,7 @@ The measures are those of the challenge's evaluator (HomeRobot, arXiv 2306.11565
 before it do; placing is judged anew after every step, so that an object that rolls off later is not placed.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -82,17 +82,15 @@ class Judge:
     def _is_placed(self, simulator: Simulator) -> bool:
         if self._released is None or simulator.held is not None:
             return False
-        return self.rests_on_goal(simulator, self._released)
+        return rests_on(simulator, self._released, self._receptacle_names)
 
-    def rests_on_goal(self, simulator: Simulator, name: str) -> bool:
-        """Return whether an object is at rest and touches a goal receptacle above the floor without sinking in."""
-        physics = simulator.physics
-        return physics.is_at_rest(name) and any(
-            contact.other in self._receptacle_names
-            and contact.point[2] >= LOWEST_CONTACT
-            and contact.penetration <= DEEPEST_CONTACT
-            for contact in physics.contacts(name)
-        )
+
+def rests_on(simulator: Simulator, name: str, receptacles: Set[str]) -> bool:
+    """Return whether an object is at rest and touches one of the receptacles above the floor without sinking in."""
+    return simulator.physics.is_at_rest(name) and any(
+        contact.other in receptacles and contact.point[2] >= LOWEST_CONTACT and contact.penetration <= DEEPEST_CONTACT
+        for contact in simulator.physics.contacts(name)
+    )
 
 
 def _viewable(candidate: Candidate, index: dict[str, int]) -> _Viewable:

@@ -10,14 +10,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from uniteam.errors import InvalidInputError
-from uniteam.geometry import BasePose
-from uniteam.interface import Decision, DiscreteAction, Instruction, JointDisplacement, Observation
+from uniteam.interface import Action, Decision, DiscreteAction, Instruction, Observation
 from uniteam.world.assets.catalogue import Point2
-from uniteam.world.task.driving import to_point, turn
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Candidate, Certificate
-from uniteam.world.task.paths import PathField
-from uniteam.world.task.stands import approach
+from uniteam.world.task.pilot import Pilot
 
 LOOKING_DISTANCE = 1.1
 """From which (m) things of every height are well inside the head camera's view."""
@@ -42,6 +39,7 @@ class Oracle:
             )
         self._environment = environment
         self._certificate: Certificate = certificate
+        self._pilot = Pilot(environment.simulator)
         self._script: Iterator[Decision] = iter(())
 
     def reset(self, instruction: Instruction, seed: int) -> None:
@@ -52,20 +50,17 @@ class Oracle:
         """Return the next step of the script."""
         return next(self._script, Decision(DiscreteAction.STOP, "DONE", "The object has come to rest."))
 
-    @property
-    def _base(self) -> BasePose:
-        return self._environment.simulator.base
-
     def _play(self) -> Iterator[Decision]:
-        episode, certificate = self._environment.episode, self._certificate
+        episode, certificate, pilot = self._environment.episode, self._certificate, self._pilot
         candidate = _candidate(episode.objects, certificate.object)
         yield from self._look("FIND_OBJECT", candidate, self._position(candidate.name))
-        yield from self._stand("NAVIGATE_TO_OBJECT", certificate.grasp)
-        yield from self._grasp()
+        yield from _decide("NAVIGATE_TO_OBJECT", "Drive to the stand.", pilot.stand(certificate.grasp))
+        yield from _decide("PICK", "Grasp as certified.", pilot.grasp())
         goal = _candidate(episode.goal_receptacles, certificate.receptacle)
         yield from self._look("FIND_RECEPTACLE", goal, self._release_point())
-        yield from self._stand("NAVIGATE_TO_RECEPTACLE", certificate.release)
-        yield from self._release()
+        yield from _decide("NAVIGATE_TO_RECEPTACLE", "Drive to the stand.", pilot.stand(certificate.release))
+        yield from _decide("PLACE", "Release as certified.", pilot.release(certificate.release_joints))
+        yield from _decide("PLACE", "Wait for the object to come to rest.", self._wait())
 
     def _position(self, name: str) -> Point2:
         x, y = self._environment.simulator.object_pose(name)[:2, 3]
@@ -79,9 +74,8 @@ class Oracle:
     def _look(self, state: str, target: Candidate, at: Point2) -> Iterator[Decision]:
         """Face a target from one view point after the other until the measures say that it was found."""
         for point in _best_views(target, at)[:MOST_LOOKS]:
-            yield from self._drive(state, point)
-            for action in turn(self._base.bearing_to(*at)):
-                yield Decision(action, state, f"Face {target.name}.")
+            yield from _decide(state, f"Drive to a view point of {target.name}.", self._pilot.drive(point))
+            yield from _decide(state, f"Face {target.name}.", self._pilot.face(at))
             if self._is_found(state):
                 return
 
@@ -89,33 +83,15 @@ class Oracle:
         measures = self._environment.measures
         return measures.find_object_phase_success if state == "FIND_OBJECT" else measures.find_recep_phase_success
 
-    def _stand(self, state: str, stand: BasePose) -> Iterator[Decision]:
-        yield from self._drive(state, (stand.x, stand.y))
-        for action in turn(stand.heading - self._base.heading):
-            yield Decision(action, state, "Turn as certified.")
-
-    def _drive(self, state: str, goal: Point2) -> Iterator[Decision]:
-        if self._base.distance_to(*goal) < 1e-3:
-            return
-        for point in PathField(self._environment.simulator.floor, goal).path_from(self._base.x, self._base.y):
-            for action in to_point(self._base, point):
-                yield Decision(action, state, f"Drive to ({point[0]:.2f}, {point[1]:.2f}).")
-
-    def _grasp(self) -> Iterator[Decision]:
-        yield Decision(DiscreteAction.MANIPULATION_MODE, "PICK", "Point the arm at the object.")
-        yield Decision(DiscreteAction.SNAP_OBJECT, "PICK", "Grasp as certified.")
-        yield Decision(DiscreteAction.NAVIGATION_MODE, "PICK", "Go on.")
-
-    def _release(self) -> Iterator[Decision]:
-        yield Decision(DiscreteAction.MANIPULATION_MODE, "PLACE", "Point the arm at the receptacle.")
-        for joints in approach(self._certificate.release_joints):
-            delta = joints - self._environment.simulator.joints
-            yield Decision(JointDisplacement(delta), "PLACE", "Bring the object over the surface.")
-        yield Decision(DiscreteAction.DESNAP_OBJECT, "PLACE", "Release as certified.")
+    def _wait(self) -> Iterator[Action]:
         for _ in range(MOST_WAITING):
             if self._environment.measures.place_success:
                 return
-            yield Decision(DiscreteAction.EMPTY_ACTION, "PLACE", "Wait for the object to come to rest.")
+            yield DiscreteAction.EMPTY_ACTION
+
+
+def _decide(state: str, reason: str, actions: Iterator[Action]) -> Iterator[Decision]:
+    return (Decision(action, state, reason) for action in actions)
 
 
 def _candidate(candidates: tuple[Candidate, ...], name: str) -> Candidate:

@@ -6,6 +6,8 @@ tight with swept moves of the base.
 """
 
 import heapq
+import math
+from collections.abc import Iterable
 
 import numpy as np
 from numba import njit
@@ -14,11 +16,13 @@ from numpy.typing import NDArray
 from uniteam.geometry import BasePose
 from uniteam.stretch import BASE_RADIUS
 from uniteam.world.assets.catalogue import Point2
-from uniteam.world.simulation.navigable import NavigableFloor
+from uniteam.world.simulation.navigable import CELL_SIZE, NavigableFloor
 
 _STRIDE = 2
 _COMFORTABLE_CLEARANCE = 0.5
 _CROWDING_COST = 3.0
+_KEPT_CLEARANCE = 0.42
+_SHORTEST_LEG = 0.15
 
 
 class PathField:
@@ -35,7 +39,7 @@ class PathField:
         start = self._nearest_node(x, y)
         if start is None:
             return []
-        points = [self._floor.to_point(*cell) for cell in self._descent(start)]
+        points = [self._floor.to_point(*cell) for cell in self._descent(start)[:-1]]
         return self._pulled_tight((x, y), [*points, self._goal])
 
     def _nearest_node(self, x: float, y: float) -> tuple[int, int] | None:
@@ -63,13 +67,25 @@ class PathField:
         tight: list[Point2] = []
         here, i = start, 0
         while i < len(points):
-            base = BasePose(*here, 0.0)
             farthest = i
-            while farthest + 1 < len(points) and self._floor.sweep(base, *points[farthest + 1]):
+            while farthest + 1 < len(points) and self._is_good_shortcut(here, points[i : farthest + 2]):
                 farthest += 1
             here, i = points[farthest], farthest + 1
             tight.append(here)
         return tight
+
+    def _is_good_shortcut(self, here: Point2, points: list[Point2]) -> bool:
+        """Return whether the base may go straight to the last point: it comes no nearer to things, or moves little."""
+        if not self._floor.sweep(BasePose(*here, 0.0), *points[-1]):
+            return False
+        if math.dist(here, points[-2]) < _SHORTEST_LEG:
+            return True
+        way = np.linspace(here, points[-1], 2 + int(math.dist(here, points[-1]) / CELL_SIZE))
+        return self._least_clearance(way) >= min(_KEPT_CLEARANCE, self._least_clearance(points) - CELL_SIZE)
+
+    def _least_clearance(self, points: Iterable[Iterable[float]]) -> float:
+        rows, columns = np.array([self._floor.to_cell(*point) for point in points]).T
+        return float(self._floor.cells[rows, columns].min())
 
 
 @njit(cache=True, nogil=True)

@@ -1,0 +1,147 @@
+"""Making episodes: view points, tasks that make sense, certified episodes, and the command that writes them."""
+
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from uniteam.cli.main import main
+from uniteam.geometry import BasePose
+from uniteam.interface import Instruction
+from uniteam.stretch import HEAD_CAMERA_HALF
+from uniteam.world.homes.home import Home
+from uniteam.world.homes.settling import resting_on
+from uniteam.world.simulation.simulator import Simulator
+from uniteam.world.task.episode import Episode
+from uniteam.world.task.footprint import VIEW_DISTANCE, distance_to_footprint
+from uniteam.world.task.generate_episodes import START_DISTANCE, EpisodeMaker
+from uniteam.world.task.splits import SPLIT_DIRECTORY, SPLIT_NAMES, SUFFIX, load_split
+from uniteam.world.task.tasks import Tally, Task, in_order_of_variety, possible_tasks
+from uniteam.world.task.view_points import Viewpoints
+
+
+@pytest.fixture(scope="module")
+def home() -> Home:
+    split = load_split("minival")
+    return split.homes[split.episodes[0].home]
+
+
+@pytest.fixture(scope="module")
+def simulator(home: Home) -> Simulator:
+    return Simulator(home, HEAD_CAMERA_HALF)
+
+
+@pytest.fixture(scope="module")
+def made(home: Home) -> tuple[Episode, ...]:
+    return EpisodeMaker(home, Tally()).episodes(3)
+
+
+def test_view_points_are_reachable_near_and_see_the_instance(home: Home, simulator: Simulator) -> None:
+    views = Viewpoints(home, simulator.floor, simulator.physics.model)
+    rng = np.random.default_rng(0)
+    seen = []
+    for name in rng.choice([i.name for i in home.instances if i.movable], 8, replace=False):
+        x, y, _ = home.by_name[name].position
+        points = [p for p in views.of(name) if np.hypot(p[0] - x, p[1] - y) > 0.8]
+        for i in rng.permutation(len(points))[:4]:
+            px, py = points[i]
+            assert simulator.floor.is_free(px, py)
+            assert np.hypot(px - x, py - y) <= VIEW_DISTANCE
+            simulator.reset(BasePose(px, py, float(np.arctan2(y - py, x - px))))
+            index = home.instances.index(home.by_name[name])
+            seen.append(bool(np.any(simulator.render().instances == index)))
+    assert np.mean(seen) > 0.8
+
+
+def test_furniture_is_seen_from_within_the_view_distance_of_its_rectangle(home: Home, simulator: Simulator) -> None:
+    views = Viewpoints(home, simulator.floor, simulator.physics.model)
+    bed = home.of_category("bed")[0]
+    distances = distance_to_footprint(bed, np.array(views.of(bed.name)))
+    assert len(distances) > 20
+    assert distances.max() <= VIEW_DISTANCE
+    assert distances.max() > 1.2
+
+
+def test_what_is_behind_a_wall_is_not_seen(home: Home, simulator: Simulator) -> None:
+    views = Viewpoints(home, simulator.floor, simulator.physics.model)
+    blocked = 0
+    for instance in home.instances:
+        if not instance.movable:
+            room = next(r for r in home.stage.rooms if r.name == instance.room)
+            points, seen = views.standable(instance), set(views.of(instance.name))
+            outside = (points < np.array(room.low) - 0.3) | (points > np.array(room.high) + 0.3)
+            hidden = [tuple(p) not in seen for p in points[outside.any(axis=1)].tolist()]
+            blocked += sum(hidden)
+    assert blocked > 50
+
+
+def test_tasks_move_objects_between_different_classes_of_furniture(home: Home, simulator: Simulator) -> None:
+    support = resting_on(home, simulator.physics)
+    tasks = possible_tasks(home, support)
+    assert tasks
+    for task in tasks:
+        instruction = task.instruction
+        assert instruction.start_receptacle != instruction.goal_receptacle
+        assert {home.by_name[support[name]].category for name in task.objects} == {instruction.start_receptacle}
+        assert {home.by_name[name].category for name in task.objects} == {instruction.object_category}
+        assert {home.by_name[name].category for name in task.goals} == {instruction.goal_receptacle}
+        assert set(task.start_receptacles) == {support[name] for name in task.objects}
+
+
+def test_goal_classes_that_a_split_lacks_are_tried_first() -> None:
+    tally = Tally()
+    for _ in range(30):
+        tally.add(Instruction("cup", "table", "bed"), unseen=False)
+    tasks = tuple(
+        Task(Instruction("cup", "table", goal), ("cup_1",), ("t",), ("g",), False) for goal in ("bed", "sink")
+    )
+    rng = np.random.default_rng(0)
+    first = Counter(next(in_order_of_variety(tasks, tally, rng)).instruction.goal_receptacle for _ in range(50))
+    assert first["sink"] >= 48
+
+
+def test_certified_episodes_start_far_from_the_object_and_ask_for_different_things(
+    home: Home, made: tuple[Episode, ...], simulator: Simulator
+) -> None:
+    assert len(made) == 3
+    assert len({episode.instruction for episode in made}) == 3
+    assert len({episode.id for episode in made}) == 3
+    for episode in made:
+        assert simulator.floor.is_free(episode.start.x, episode.start.y)
+        assert simulator.floor.largest_component[simulator.floor.to_cell(episode.start.x, episode.start.y)]
+        for candidate in episode.objects:
+            assert episode.start.distance_to(*home.by_name[candidate.name].position[:2]) >= START_DISTANCE
+            assert candidate.view_points
+        assert all(candidate.view_points for candidate in episode.goal_receptacles)
+        assert episode.certificate is not None
+
+
+def test_the_same_home_gives_the_same_episodes(home: Home, made: tuple[Episode, ...]) -> None:
+    assert EpisodeMaker(home, Tally()).episodes(1) == made[:1]
+
+
+def test_the_command_writes_a_split_that_can_be_played(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "mine.jsonl.gz"
+    with pytest.raises(SystemExit) as ended:
+        main(["episodes", "--homes", "9000", "--per-home", "1", "--out", str(out)])
+    assert ended.value.code == 0
+    split = load_split(out)
+    assert (split.name, len(split.episodes), len(split.homes)) == ("mine", 1, 1)
+    assert "uniteam evaluate --split" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("homes", ["ten", "5:5", "-3:2"])
+def test_seeds_that_are_none_are_refused_in_a_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], homes: str
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["episodes", f"--homes={homes}", "--out", str(tmp_path / "mine.jsonl.gz")])
+    assert ended.value.code == 2
+    assert "9000:9010" in capsys.readouterr().err
+
+
+def test_built_in_splits_share_no_home() -> None:
+    present = [name for name in SPLIT_NAMES if (SPLIT_DIRECTORY / f"{name}{SUFFIX}").exists()]
+    homes = [set(load_split(name).homes) for name in present]
+    assert all(one.isdisjoint(other) for i, one in enumerate(homes) for other in homes[i + 1 :])

@@ -1,0 +1,142 @@
+"""The oracle and what it drives by: paths, exact displacements, stands, points to put things down."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from uniteam.errors import InvalidInputError
+from uniteam.geometry import BasePose, invert_transform, transform_points
+from uniteam.interface import BaseDisplacement
+from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE, gripper_to_base
+from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.simulation.motion import admissible
+from uniteam.world.simulation.navigable import NavigableFloor
+from uniteam.world.task.driving import straight, to_point, turn
+from uniteam.world.task.drop_points import LEAST_MARGIN, drop_points
+from uniteam.world.task.environment import Environment
+from uniteam.world.task.episode import Split
+from uniteam.world.task.oracle import Oracle
+from uniteam.world.task.paths import PathField
+from uniteam.world.task.splits import load_split
+from uniteam.world.task.stands import can_grasp, grasp_stands, manipulation_base, releases
+
+
+@pytest.fixture(scope="module")
+def split() -> Split:
+    return load_split("minival")
+
+
+@pytest.fixture(scope="module")
+def floor(split: Split) -> NavigableFloor:
+    return NavigableFloor(split.homes[split.episodes[0].home])
+
+
+@pytest.mark.parametrize("number", [0, 3, 6])
+def test_the_oracle_solves_certified_episodes(split: Split, number: int) -> None:
+    episode = split.episodes[number]
+    environment = Environment(split.homes[episode.home], episode)
+    oracle = Oracle(environment)
+    oracle.reset(episode.instruction, episode.seed)
+    observation = environment.reset()
+    while not environment.is_over:
+        observation = environment.step(oracle.act(observation).action)
+    assert environment.measures.overall_success, environment.measures
+    assert environment.measures.partial_success == 1.0
+    assert environment.measures.does_want_terminate
+
+
+def test_the_oracle_refuses_an_episode_that_nobody_certified(split: Split) -> None:
+    episode = replace(split.episodes[0], certificate=None)
+    with pytest.raises(InvalidInputError, match="no certificate"):
+        Oracle(Environment(split.homes[episode.home], episode))
+
+
+def test_a_path_can_be_driven_from_end_to_end(floor: NavigableFloor) -> None:
+    cells = np.argwhere(floor.largest_component & (floor.cells > 0.34))
+    rng = np.random.default_rng(3)
+    for _ in range(5):
+        start, goal = (floor.to_point(*cells[i]) for i in rng.choice(len(cells), 2, replace=False))
+        path = PathField(floor, goal).path_from(*start)
+        assert path[-1] == goal
+        for here, there in zip([start, *path], path, strict=False):
+            assert floor.sweep(BasePose(*here, 0.0), *there)
+
+
+def test_there_is_no_path_from_where_the_robot_cannot_be(floor: NavigableFloor) -> None:
+    goal = floor.to_point(*np.argwhere(floor.largest_component)[0])
+    inside_an_obstacle = floor.to_point(*np.argwhere(floor.cells == 0.0)[0])
+    assert PathField(floor, goal).path_from(*inside_an_obstacle) == []
+
+
+def _moved(base: BasePose, actions: list[BaseDisplacement]) -> BasePose:
+    """Return where displacements bring the base when each is cut to its limits as the simulator does."""
+    for action in actions:
+        done = admissible(action)
+        base = base.compose(BasePose(done.x, done.y, done.heading))
+    return base
+
+
+@pytest.mark.parametrize("angle", [0.03, -0.05, 0.0872, 1.0, -3.1])
+def test_a_turn_is_exact_however_small(angle: float) -> None:
+    assert _moved(BasePose(0, 0, 0), list(turn(angle))).heading == pytest.approx(angle)
+
+
+@pytest.mark.parametrize("distance", [0.02, 0.099, 0.1, 0.5, 1.0, 1.05, 3.7])
+def test_a_straight_move_is_exact_however_long(distance: float) -> None:
+    end = _moved(BasePose(1.0, 2.0, 0.0), list(straight(distance)))
+    assert (end.x, end.y) == (pytest.approx(1.0 + distance), 2.0)
+
+
+def test_the_base_arrives_at_a_point() -> None:
+    base = BasePose(1.0, 2.0, 2.5)
+    end = _moved(base, list(to_point(base, (-0.4, 1.1))))
+    assert (end.x, end.y) == (pytest.approx(-0.4), pytest.approx(1.1))
+
+
+def test_a_grasp_stand_has_the_object_in_view_and_in_reach() -> None:
+    position = np.array([1.0, 2.0, 0.8])
+    around = np.array([[x, y] for x in np.arange(0.0, 2.0, 0.1) for y in np.arange(1.0, 3.0, 0.1)])
+    stands = list(grasp_stands(position, around, HEAD_CAMERA_HALF))
+    assert stands
+    for stand in stands:
+        to_base = invert_transform(manipulation_base(stand).matrix())
+        from_gripper = transform_points(to_base, position) - gripper_to_base(MANIPULATION_POSTURE)[:3, 3]
+        assert np.linalg.norm(from_gripper) < 0.8
+        assert stand.bearing_to(1.0, 2.0) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_what_lies_too_far_or_too_low_cannot_be_grasped() -> None:
+    assert can_grasp(BasePose(0.0, 0.0, 0.0), np.array([0.6, 0.0, 0.7]), HEAD_CAMERA_HALF)
+    assert not can_grasp(BasePose(0.0, 0.0, 0.0), np.array([1.3, 0.0, 0.7]), HEAD_CAMERA_HALF)
+    assert not can_grasp(BasePose(0.0, 0.0, 0.0), np.array([0.75, 0.0, 0.0]), HEAD_CAMERA_HALF)
+    assert not can_grasp(BasePose(0.0, 0.0, math.pi), np.array([0.6, 0.0, 0.7]), HEAD_CAMERA_HALF)
+
+
+@pytest.mark.parametrize("pitch", [MANIPULATION_POSTURE.wrist_pitch, 0.0])
+def test_a_release_holds_the_gripper_over_the_point(pitch: float) -> None:
+    point = np.array([1.0, 2.0])
+    around = np.array([[1.0 + 0.1 * i, 2.0 + 0.1 * j] for i in range(-8, 9) for j in range(-8, 9)])
+    found = releases(point, around, 0.85, pitch)
+    assert found
+    for release in found:
+        gripper = manipulation_base(release.stand).matrix() @ gripper_to_base(release.joints)
+        assert gripper[:3, 3] == pytest.approx([1.0, 2.0, 0.85])
+
+
+def test_nothing_can_be_released_higher_than_the_lift_goes() -> None:
+    assert releases(np.array([1.0, 2.0]), np.array([[1.0, 1.5]]), 1.6, MANIPULATION_POSTURE.wrist_pitch) == []
+
+
+def test_drop_points_lie_on_the_furniture_and_clear_of_what_stands_there(split: Split) -> None:
+    home = split.homes[split.episodes[0].home]
+    for receptacle in (i for i in home.instances if i.category in ("table", "bed", "counter", "cabinet", "couch")):
+        for surface in drop_points(home, receptacle):
+            to_model = invert_transform(receptacle.model_to_world())
+            in_world = np.column_stack([surface.points, np.full(len(surface.points), surface.height)])
+            in_model = transform_points(to_model, in_world)
+            half = np.array(load_catalogue()[receptacle.model].size[:2]) / 2.0
+            assert np.all(np.abs(in_model[:, :2]) <= half - LEAST_MARGIN + 1e-6)
+            for thing in (i for i in home.instances if i.movable and abs(i.position[2] - surface.height) < 0.05):
+                assert np.all(np.linalg.norm(surface.points - thing.position[:2], axis=1) > LEAST_MARGIN)
