@@ -161,9 +161,9 @@ class _Furnisher:
         return False
 
     def _anchors(self, rule: Rule) -> list[Placement | None]:
-        if rule.anchor is None:
+        if not rule.anchors:
             return [None]
-        return [placement for kind, placement in self._standing if kind == rule.anchor]
+        return [placement for kind, placement in self._standing if kind in rule.anchors]
 
     def _first_fitting(self, placements: list[Placement], rule: Rule) -> Placement | None:
         placements = [p for p in placements if p.volume.top <= self._ceiling]

@@ -23,7 +23,7 @@ class Rule:
         place: proposes where.
         chance: that the rule is used at all.
         count: least and most pieces.
-        anchor: kind that the piece relates to; each standing one of that kind is tried in turn.
+        anchor: kind or kinds that the piece relates to; each standing one of them is tried in turn.
         min_area: of the room (m2), below which the rule is passed over.
         elbow_room: kept free around the piece (cm).
         one_model: whether all pieces are of one model, as chairs around a table are.
@@ -35,7 +35,7 @@ class Rule:
     place: Placing
     chance: float = 1.0
     count: tuple[int, int] = (1, 1)
-    anchor: str | None = None
+    anchor: str | tuple[str, ...] = ()
     min_area: float = 0.0
     elbow_room: int = 0
     one_model: bool = True
@@ -47,6 +47,16 @@ class Rule:
         """The alternatives."""
         return (self.kind,) if isinstance(self.kind, str) else self.kind
 
+    @property
+    def anchors(self) -> tuple[str, ...]:
+        """The kinds that the piece relates to; none where it stands by itself."""
+        return (self.anchor,) if isinstance(self.anchor, str) else self.anchor
+
+
+_COUCHES = ("couch", "corner_couch")
+_BEDS = ("bed", "single_bed")
+_DESKS = ("desk", "work_table")
+_DINING_TABLES = ("dining_table", "kitchen_table")
 
 _DRESSING = (
     Rule("radiator", placing.under_window, 0.6),
@@ -59,14 +69,13 @@ _DRESSING = (
 
 LIVING_ROOM = (
     Rule(("couch", "corner_couch"), placing.mid_wall),
-    Rule(("tv_stand", "low_cabinet"), placing.opposite, 0.9, anchor="couch"),
-    Rule(("tv_stand", "low_cabinet"), placing.opposite, 0.9, anchor="corner_couch"),
-    Rule("tv", hanging.on_top, anchor="tv_stand"),
-    Rule("coffee_table", placing.before, 0.9, anchor="couch"),
+    Rule(("tv_stand", "low_cabinet"), placing.opposite, 0.9, anchor=_COUCHES),
+    Rule("tv", hanging.on_top, anchor=("tv_stand", "low_cabinet")),
+    Rule("coffee_table", placing.before, 0.9, anchor=_COUCHES),
     Rule("rug", hanging.beneath, 0.7, anchor="coffee_table"),
     Rule("armchair", placing.facing, 0.8, (1, 2), anchor="coffee_table"),
-    Rule("side_table", placing.beside, 0.6, anchor="couch"),
-    Rule("floor_lamp", placing.beside, 0.5, anchor="couch"),
+    Rule("side_table", placing.beside, 0.6, anchor=_COUCHES),
+    Rule("floor_lamp", placing.beside, 0.5, anchor=_COUCHES),
     Rule("shelves", placing.against_wall, 0.8, (1, 2)),
     Rule("cabinet", placing.against_wall, 0.5),
     Rule("dining_table", placing.in_middle, 0.35, min_area=22.0),
@@ -82,10 +91,9 @@ LIVING_ROOM = (
     Rule("serving_cart", placing.against_wall, 0.25),
     Rule("aquarium", placing.against_wall, 0.1),
     Rule("christmas_tree", placing.in_corner, 0.06),
-    Rule("picture", hanging.over, 0.7, anchor="couch"),
+    Rule("picture", hanging.over, 0.7, anchor=_COUCHES),
     Rule("picture", hanging.over, 0.5, anchor="low_cabinet"),
-    Rule("table_lamp", hanging.on_top, 0.3, anchor="side_table"),
-    Rule("table_lamp", hanging.on_top, 0.3, anchor="low_cabinet"),
+    Rule("table_lamp", hanging.on_top, 0.4, anchor=("side_table", "low_cabinet")),
     Rule("floor_lamp", placing.in_corner, 0.4),
     Rule("guitar", placing.against_wall, 0.15),
     *_DRESSING,
@@ -108,8 +116,7 @@ KITCHEN = (
     Rule("coffee_maker", hanging.on_top, 0.25, anchor="counter"),
     Rule("mixer", hanging.on_top, 0.15, anchor="counter"),
     Rule(("kitchen_table", "dining_table"), placing.in_middle, 0.75, min_area=9.0),
-    Rule("dining_chair", placing.around, 1.0, (1, 4), anchor="kitchen_table"),
-    Rule("dining_chair", placing.around, 1.0, (2, 4), anchor="dining_table"),
+    Rule("dining_chair", placing.around, 1.0, (2, 4), anchor=_DINING_TABLES),
     Rule("island", placing.in_middle, 0.4, min_area=12.0),
     Rule("kitchen_table", placing.against_wall, 0.4),
     Rule("dining_chair", placing.around, 1.0, (1, 2), anchor="kitchen_table"),
@@ -144,12 +151,11 @@ DINING_ROOM = (
 BEDROOM = (
     Rule(("bed", "single_bed"), placing.mid_wall),
     Rule(("single_bed", "bed"), placing.in_corner, only_if_none=True),
-    Rule("bedside_table", placing.beside, 0.9, (1, 2), anchor="bed"),
-    Rule("bedside_table", placing.beside, 0.9, anchor="single_bed"),
+    Rule("bedside_table", placing.beside, 0.95, (1, 2), anchor=_BEDS),
     Rule("wardrobe", placing.against_wall, 0.85),
     Rule("chest_of_drawers", placing.against_wall, 0.65),
     Rule(("trunk", "bench"), placing.at_foot, 0.4, anchor="bed"),
-    Rule("rug", hanging.beneath, 0.4, anchor="bed"),
+    Rule("rug", hanging.beneath, 0.5, anchor=_BEDS),
     Rule("crib", placing.against_wall, 0.12, min_area=13.0),
     Rule("desk", placing.against_wall, 0.35, min_area=13.0),
     Rule("dining_chair", placing.around, anchor="desk"),
@@ -162,8 +168,8 @@ BEDROOM = (
     Rule("clothes_rack", placing.against_wall, 0.2),
     Rule(("exercise_bike", "doll_house", "treadmill"), placing.against_wall, 0.15),
     Rule("table_lamp", hanging.on_top, 0.35, anchor="bedside_table"),
-    Rule("picture", hanging.over, 0.6, anchor="bed"),
-    Rule("mirror", hanging.on_wall, 0.5, elbow_room=10),
+    Rule("picture", hanging.over, 0.6, anchor=_BEDS),
+    Rule(("tall_mirror", "mirror"), hanging.on_wall, 0.5, elbow_room=10),
     Rule("floor_lamp", placing.in_corner, 0.3),
     Rule("guitar", placing.against_wall, 0.12),
     *_DRESSING,
@@ -171,10 +177,8 @@ BEDROOM = (
 
 OFFICE = (
     Rule(("desk", "work_table"), placing.against_wall),
-    Rule("office_chair", placing.around, anchor="desk"),
-    Rule("office_chair", placing.around, anchor="work_table"),
-    Rule("monitor", hanging.on_top, 0.6, anchor="desk"),
-    Rule("monitor", hanging.on_top, 0.6, anchor="work_table"),
+    Rule("office_chair", placing.around, anchor=_DESKS),
+    Rule("monitor", hanging.on_top, 0.6, anchor=_DESKS),
     Rule("filing_cabinet", placing.against_wall, 0.9, (1, 2)),
     Rule("shelves", placing.against_wall, 0.95, (1, 2), one_model=False),
     Rule("armchair", placing.in_corner, 0.5),
@@ -234,7 +238,7 @@ HALL = (
     Rule("stool", placing.in_corner, 0.3),
     Rule("trunk", placing.against_wall, 0.35),
     Rule("clothes_rack", placing.in_corner, 0.2),
-    Rule("mirror", hanging.on_wall, 0.6, elbow_room=10),
+    Rule(("mirror", "tall_mirror"), hanging.on_wall, 0.6, elbow_room=10),
     Rule("picture", hanging.on_wall, 0.8, (1, 3), elbow_room=15, one_model=False),
     Rule("wall_lamp", hanging.on_wall, 0.3, (1, 2), elbow_room=15),
     Rule("plant", placing.in_corner, 0.4),

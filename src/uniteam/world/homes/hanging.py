@@ -11,7 +11,7 @@ from uniteam.world.homes.placing import before_window, wall_run
 
 def on_wall(site: Site, model: Model) -> Iterator[Placement]:
     """Hung on a wall, its middle at eye level, anywhere along it."""
-    z = max(100, 155 - round(50 * model.size[2]))
+    z = max(20, 155 - round(50 * model.size[2]))
     runs = [p for q in range(4) for _, p in wall_run(site.inner, model, q, z)]
     return (runs[i] for i in site.rng.permutation(len(runs)))
 
