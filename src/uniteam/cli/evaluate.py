@@ -86,6 +86,9 @@ def _play(evaluation: Evaluation, worker_count: int, console: Console) -> None:
 
         def advance(agent: str, result: EpisodeResult) -> None:
             progress.update(bar, advance=1, description=tally.after(agent, result))
+            if not console.is_terminal:  # a log has no bar to watch
+                done = f"{total - len(evaluation.remaining)}/{total}"
+                console.print(f"{done} {agent}, {result.episode}: {result.failure or 'success'}", markup=False)
 
         try:
             evaluation.play(worker_count, advance)

@@ -1,0 +1,65 @@
+"""The teller says what matters, once."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from uniteam.evaluation.play import Step
+from uniteam.geometry import BasePose, PinholeCamera
+from uniteam.interface import Action, BaseDisplacement, Decision, DiscreteAction, Joints, Observation
+from uniteam.visualization.narration import Narrator
+from uniteam.world.task.measures import Measures
+
+CAMERA = PinholeCamera.from_horizontal_fov(4, 6, 1.0)
+
+
+def step(number: int, x: float, action: Action, state: str = "FIND_OBJECT", **measures: int) -> Step:
+    rgb, depth = np.zeros((6, 4, 3), np.uint8), np.zeros((6, 4), np.float32)
+    seen = Observation(rgb, depth, CAMERA, np.eye(4), BasePose(x, 0.0, 0.0), Joints(0.8, 0.0), False, number)
+    return Step(seen, Decision(action, state, "Because."), Measures(num_steps=number + 1, **measures))
+
+
+def told(*steps: Step) -> list[tuple[int, str, str]]:
+    news: list[tuple[int, str, str]] = []
+    narrator = Narrator(lambda number, kind, sentence: news.append((number, kind, sentence)))
+    for each in steps:
+        narrator(each)
+    return news
+
+
+def test_a_state_is_told_when_it_begins() -> None:
+    forward = DiscreteAction.MOVE_FORWARD
+    steps = [step(0, 0.0, forward), step(1, 0.25, forward), step(2, 0.5, forward, "PICK")]
+    assert told(*steps) == [(0, "state", "FIND_OBJECT: Because."), (2, "state", "PICK: Because.")]
+
+
+def test_a_blocked_drive_is_told_once_until_the_base_moves_again() -> None:
+    drive = BaseDisplacement(x=0.3)
+    xs = (0.0, 0.3, 0.3, 0.3, 0.6, 0.6)
+    news = told(*(step(number, x, drive) for number, x in enumerate(xs)))
+    assert [number for number, kind, _ in news if kind == "trouble"] == [2, 5]
+
+
+def test_turning_on_the_spot_is_no_blocked_drive() -> None:
+    turn = DiscreteAction.TURN_LEFT
+    assert len(told(step(0, 0.0, turn), step(1, 0.0, turn), step(2, 0.0, turn))) == 1
+
+
+def test_a_grasp_a_measure_and_a_collision_are_told_when_they_happen() -> None:
+    snap = step(1, 0.0, DiscreteAction.SNAP_OBJECT, pick_object_phase_success=True, find_object_phase_success=True)
+    after = step(2, 0.0, DiscreteAction.NAVIGATION_MODE, robot_scene_colls=1, **_phases(snap.measures))
+    held = replace(after, observation=replace(after.observation, is_holding=True))
+    assert told(step(0, 0.0, DiscreteAction.TURN_LEFT), snap, held)[1:] == [
+        (1, "action", "snap object: Because."),
+        (1, "success", "Measure reached: found object."),
+        (1, "success", "Measure reached: picked object."),
+        (2, "success", "The gripper holds something."),
+        (2, "trouble", "Arm, gripper or load touched the scene."),
+    ]
+
+
+def _phases(measures: Measures) -> dict[str, bool]:
+    return {
+        "find_object_phase_success": measures.find_object_phase_success,
+        "pick_object_phase_success": measures.pick_object_phase_success,
+    }
