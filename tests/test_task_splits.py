@@ -2,6 +2,7 @@
 
 import gzip
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,12 +17,19 @@ from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
 from uniteam.world.task.lattice import lattice_points_near, points_to_runs, runs_to_points
 from uniteam.world.task.splits import load_split, write_split
 
+UPRIGHT = (1.0, 0.0, 0.0, 0.0)
+
 
 def _home(name: str) -> Home:
     light = Light((1.0, 1.0, 2.4), (1.0, 1.0, 1.0), 0.4)
     room = Room("hall_1", "hall", (0.0, 0.0), (4.0, 3.0), "wood", "plaster", (1.0, 0.9, 0.8), light)
-    table = Instance("table_1", "a_table", "table", False, (1.0, 1.0, 0.0), (1.0, 0.0, 0.0, 0.0), "hall_1")
-    return Home(name, Stage((room,), (), 2.6), (table,), seed=7)
+    things = tuple(
+        Instance(
+            f"{category}_{k}", f"a_{category}", category, category == "cup", (1.0 + k, 1.0, 0.0), UPRIGHT, "hall_1"
+        )
+        for category, k in (("table", 1), ("sink", 1), ("sink", 2), ("cup", 1))
+    )
+    return Home(name, Stage((room,), (), 2.6), things, seed=7)
 
 
 def _episode(identifier: str, home: str) -> Episode:
@@ -109,6 +117,14 @@ def test_a_category_that_does_not_exist_is_refused(tmp_path: Path, field: str) -
             line["episode"]["instruction"][field] = "tabel"
     path.write_text("\n".join(json.dumps(line) for line in lines))
     with pytest.raises(UnknownNameError, match="category 'tabel'"):
+        load_split(path)
+
+
+def test_an_episode_about_what_its_home_does_not_hold_is_damaged(tmp_path: Path) -> None:
+    path = tmp_path / "strange.jsonl"
+    homes = {name: replace(home, instances=home.instances[1:]) for name, home in _split().homes.items()}
+    write_split(replace(_split(), homes=homes), path)
+    with pytest.raises(DamagedFileError, match="'table_1', which its home does not hold"):
         load_split(path)
 
 

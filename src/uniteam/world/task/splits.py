@@ -145,6 +145,7 @@ def _decode_episode(data: dict[str, Any], homes: dict[str, Any], view_points: di
     if data["home"] not in homes:
         raise ValueError(f"episode '{data['id']}' is in home '{data['home']}', which the file does not hold")
     seen_from = view_points[data["home"]]
+    _check_instances(data, {instance["name"] for instance in homes[data["home"]]["instances"]})
     certificate = data.get("certificate")
     return Episode(
         id=data["id"],
@@ -168,6 +169,12 @@ def _decode_certificate(data: dict[str, Any]) -> Certificate:
         release=BasePose(**data["release"]),
         release_joints=Joints(**data["release_joints"]),
     )
+
+
+def _check_instances(data: dict[str, Any], names: set[str]) -> None:
+    unknown = sorted({*data["objects"], *data["start_receptacles"], *data["goal_receptacles"]} - names)
+    if unknown:
+        raise ValueError(f"episode '{data['id']}' speaks of '{unknown[0]}', which its home does not hold")
 
 
 def _check_categories(instruction: Instruction) -> None:
