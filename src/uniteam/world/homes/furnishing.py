@@ -44,7 +44,7 @@ class FurnitureShop:
     @property
     def doors(self) -> tuple[Model, ...]:
         """The leaves of doors, sorted by id."""
-        return self.catalogue.of_category("door")
+        return self.catalogue.of_category("door", self.pool) or self.catalogue.of_category("door")
 
     def choose(self, kind: str, rng: Generator) -> Model | None:
         """Return a model of a kind, or None where the catalogue has none."""

@@ -40,6 +40,11 @@ def _not_named(*words: str) -> Callable[[Model], bool]:
 _FOR_WASHING = ("vanity", "basin", "lavatory", "bath")
 _OUTDOORS = ("deck", "beach", "ryokan", "garden", "child")
 
+
+def _is_armchair(model: Model) -> bool:
+    return "arm" in model.name.lower() or (model.size[0] >= 0.66 and _not_named("office", *_OUTDOORS)(model))
+
+
 KINDS = {
     "couch": Kind(("couch",), depth=(0, 1.2)),
     "corner_couch": Kind(("couch",), depth=(1.2, 3.0)),
@@ -49,7 +54,7 @@ KINDS = {
     "desk": Kind(("table",), width=(0.9, 2.4), depth=(0.45, 0.9), height=(0.68, 1.85), also=_named("desk", "dressing")),
     "work_table": Kind(("table",), width=(0.9, 2.0), depth=(0.45, 0.85), height=(0.68, 0.8)),
     "side_table": Kind(("table", "stool", "stand"), width=(0.3, 0.75), depth=(0.3, 0.75), height=(0.35, 0.75)),
-    "armchair": Kind(("chair",), width=(0.58, 1.2), depth=(0.55, 1.0), height=(0.6, 1.2), also=_not_named(*_OUTDOORS)),
+    "armchair": Kind(("chair",), width=(0.58, 1.2), depth=(0.55, 1.0), height=(0.6, 1.2), also=_is_armchair),
     "dining_chair": Kind(("chair",), width=(0.3, 0.62), depth=(0.3, 0.68), height=(0.7, 1.2),
                          also=_not_named("bar", *_OUTDOORS)),
     "any_chair": Kind(("chair",), width=(0.3, 1.0), depth=(0.3, 1.0)),

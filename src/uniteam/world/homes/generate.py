@@ -8,6 +8,7 @@ from itertools import count
 import numpy as np
 from numpy.random import Generator
 
+from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import yaw_quaternion
 from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Catalogue, Pool, load_catalogue
 from uniteam.world.homes.clutter import MIN_OBJECT_COUNT, scatter
@@ -39,7 +40,15 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
     Args:
         seed: not negative.
         pool: "train" homes hold training models only and no unseen category; "test" homes hold the other models.
+
+    Raises:
+        InvalidInputError: the seed is negative.
+        UnknownNameError: there is no such pool.
     """
+    if seed < 0:
+        raise InvalidInputError(f"a home's seed must not be negative, got {seed}")
+    if pool not in _POOLS:
+        raise UnknownNameError("pool", pool, _POOLS)
     catalogue = load_catalogue()
     for attempt in count():
         seeds = [seed, _POOLS.index(pool), attempt]
