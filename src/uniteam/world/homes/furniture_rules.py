@@ -60,9 +60,9 @@ _DINING_TABLES = ("dining_table", "kitchen_table")
 
 _DRESSING = (
     Rule("radiator", placing.under_window, 0.6),
-    Rule("picture", hanging.on_wall, 0.7, (1, 2), elbow_room=15, one_model=False),
-    Rule("wall_clock", hanging.on_wall, 0.25, elbow_room=15),
-    Rule("plant", placing.in_corner, 0.5, (1, 2), one_model=False),
+    Rule("picture", hanging.on_wall, 0.55, (1, 2), elbow_room=15, one_model=False),
+    Rule("wall_clock", hanging.on_wall, 0.2, elbow_room=15),
+    Rule("plant", placing.in_corner, 0.45),
     Rule("ceiling_lamp", hanging.on_ceiling, 0.6),
     Rule("curtain", hanging.at_window, 0.7, (1, 4), covers_window=True),
 )
