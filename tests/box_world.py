@@ -50,6 +50,24 @@ def camera_to_start(base: BasePose) -> NDArray[np.float64]:
 def observe(boxes: tuple[Box, ...], base: BasePose, camera: PinholeCamera = CAMERA, step: int = 0) -> Observation:
     """Return what the robot sees at a base pose; `truth` holds the named boxes."""
     pose = camera_to_start(base)
+    depth, seen = cast(boxes, pose, camera)
+    return Observation(
+        np.zeros((camera.height, camera.width, 3), dtype=np.uint8),
+        depth,
+        camera,
+        pose,
+        base,
+        Joints(0.78, 0.0),
+        False,
+        step,
+        segmentation(boxes, seen),
+    )
+
+
+def cast(
+    boxes: tuple[Box, ...], pose: NDArray[np.float64], camera: PinholeCamera
+) -> tuple[NDArray[np.float32], NDArray[np.integer]]:
+    """Return (H, W) depth (m) and the index of the box seen, -1 for none, from a camera at a pose (4, 4)."""
     rays = camera.unproject(np.ones((camera.height, camera.width), dtype=np.float32)).astype(np.float64)
     directions = rays @ pose[:3, :3].T
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -62,20 +80,10 @@ def observe(boxes: tuple[Box, ...], base: BasePose, camera: PinholeCamera = CAME
             hit = (enter < leave) & (enter > 0.05) & (enter < depth)
             depth, seen = np.where(hit, enter, depth), np.where(hit, index, seen)
     depth = np.where(depth < 10.0, depth, 0.0).astype(np.float32)
-    return Observation(
-        np.zeros((camera.height, camera.width, 3), dtype=np.uint8),
-        depth,
-        camera,
-        pose,
-        base,
-        Joints(0.78, 0.0),
-        False,
-        step,
-        _segmentation(boxes, np.where(depth > 0, seen, -1)),
-    )
+    return depth, np.where(depth > 0, seen, -1)
 
 
-def _segmentation(boxes: tuple[Box, ...], seen: NDArray[np.integer]) -> Segmentation:
+def segmentation(boxes: tuple[Box, ...], seen: NDArray[np.integer]) -> Segmentation:
     named = [index for index, box in enumerate(boxes) if box.name is not None]
     to_detection = np.full(len(boxes) + 1, -1, dtype=np.int16)
     to_detection[named] = np.arange(len(named))

@@ -4,13 +4,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.manipulation.edges import SafeFromEdges
 from uniteam.mind.manipulation.look_around import LookAround
 from uniteam.mind.manipulation.one_go import DriveInOneGo, extend_blindly
 from uniteam.mind.manipulation.pick import PickConfig, feel_the_gripper, snap_once, trust_the_snap
 from uniteam.mind.manipulation.place import PlaceConfig
 from uniteam.mind.manipulation.release import DropClear, FixedDrop
 from uniteam.mind.manipulation.stepwise import CloseInStepwise
-from uniteam.mind.manipulation.surface import SafeFromEdges, densest_slab
+from uniteam.mind.manipulation.surface import densest_slab
 from uniteam.mind.manipulation.surface_fallback import OntoFlatSurface
 from uniteam.mind.mapping.birds_eye_map import MapConfig
 from uniteam.mind.navigation.collision_memory import COLLISION_MAPPING

@@ -27,11 +27,13 @@ class LookAround:
     """Turns left and right until the object is in view, then brings the gripper within reach of it.
 
     Attributes:
+        tilts: of the head, tried before the base turns (rad): a high object is above the picture, a low one below.
         turns: of the whole base, one after the other (rad).
         reach: how far (m) from the grasp centre the object's middle may be.
         approaches: how often the robot drives closer at most.
     """
 
+    tilts: tuple[float, ...] = (math.radians(-22.0), math.radians(-68.0))
     turns: tuple[float, ...] = tuple(math.radians(degrees) for degrees in (30, 30, -90, -30))
     reach: float = 0.7
     approaches: int = 3
@@ -47,6 +49,12 @@ class LookAround:
         return view
 
     def _search(self, view: View) -> Skill[View]:
+        at_first = view.observation.joints
+        for tilt in (*self.tilts, at_first.head_tilt):
+            if len(object_points(view)):
+                break
+            target = replace(view.observation.joints, head_tilt=tilt)
+            view = yield from move_joints(view, target, "The object is not in view of the arm; I tilt the head.")
         for angle in self.turns:
             if len(object_points(view)):
                 break

@@ -18,6 +18,9 @@ from uniteam.mind.manipulation.surface import PlacingPoints
 from uniteam.mind.manipulation.sweep import SweepConfig
 from uniteam.mind.manipulation.view import Points, View
 
+TIGHTEST_GAP = 0.02
+"""m; between a surface and the lowest part of what is held over it."""
+
 
 @dataclass(frozen=True)
 class CloseInStepwise:
@@ -98,8 +101,9 @@ class CloseInStepwise:
         for index in chosen.best_first():
             x, y, z = (float(value) for value in chosen.points[index])
             distance, angle = reach.distance_to(x, y), _possible_turn(reach.turn_to(x, y))
-            height = z + task.release.height_above_surface(task.load)
-            if not (reach.near <= distance <= reach.far and height <= reach.high and abs(angle) <= self.widest_turn):
+            height = min(z + task.release.height_above_surface(task.load), reach.high)
+            in_reach = reach.near <= distance <= reach.far and height >= z + task.load.below + TIGHTEST_GAP
+            if not in_reach or abs(angle) > self.widest_turn:
                 continue
             end = reach.over(now, distance, height)
             around = _turned(surroundings, angle)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from uniteam.mind.manipulation.level import level_points
 from uniteam.mind.manipulation.nearby import Nearby
 from uniteam.mind.manipulation.one_go import blind_path
 from uniteam.mind.manipulation.place import Aim, PlaceTask, enter_manipulation_mode
@@ -28,5 +29,6 @@ class OntoFlatSurface:
         view = yield from enter_manipulation_mode(view, "I see no receptacle, so I look for a flat surface beside me.")
         nearby.add(view)
         around = nearby.surroundings(view.observation.base_to_start)
-        aim = yield from self.arm.aim(view, around[around[:, 2] > self.lowest], around, task)
+        flat = level_points(around[around[:, 2] > self.lowest])
+        aim = yield from self.arm.aim(view, flat, around, task)
         return Aim(view, blind_path(view)) if aim is None else aim

@@ -1,0 +1,130 @@
+"""What perception believes, and what the filters leave of it."""
+
+import numpy as np
+import pytest
+from box_world import Box, observe
+
+from uniteam.errors import InvalidInputError, UnknownNameError
+from uniteam.geometry import BasePose
+from uniteam.interface import Detection, Instruction, Observation, Segmentation
+from uniteam.mind.agents.config import BASELINE, UNITEAM_THRESHOLDS
+from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.mapping.class_role import ClassRole
+from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
+from uniteam.mind.perception.registry import perception_kind
+from uniteam.mind.perception.truth import truth_perception
+from uniteam.mind.perception.vocabulary import roles_of
+
+INSTRUCTION = Instruction("cup", "table", "bed")
+TABLE = Box((1.0, -0.5, 0.0), (1.6, 0.5, 0.7), "table")
+
+
+def names(segmentation: Segmentation) -> list[str]:
+    return [detection.name for detection in segmentation.detections]
+
+
+def with_candidates(*candidates: tuple[tuple[str, float], ...]) -> tuple[Segmentation, Observation]:
+    """Return a frame with a detection a column, and the empty room it is from."""
+    observation = observe((), BasePose(0.0, 0.0, 0.0))
+    instances = np.full(observation.depth.shape, -1, dtype=np.int16)
+    for index in range(len(candidates)):
+        instances[:, index] = index
+    return Segmentation(instances, tuple(Detection(c) for c in candidates)), observation
+
+
+def believed(config_filters: tuple, segmentation: Segmentation, observation: Observation) -> Segmentation:
+    for believe in config_filters:
+        segmentation = believe(segmentation, observation, INSTRUCTION)
+    return segmentation
+
+
+def test_truth_leaves_out_what_covers_fewer_than_twenty_pixels() -> None:
+    observation = observe((TABLE,), BasePose(0.0, 0.0, 0.0))
+    truth = observation.truth
+    assert truth is not None
+    instances = truth.instances.copy()
+    instances[0, :19], instances[1, :20] = 1, 2
+    crowded = Segmentation(instances, (*truth.detections, Detection((("pen", 1.0),)), Detection((("fork", 1.0),))))
+    far = observation.depth.copy()
+    far[:2] = 5.0
+    seen = truth_perception(_changed(observation, truth=crowded, depth=far), INSTRUCTION)
+    assert names(seen) == ["table", "fork"]
+    assert seen.instances[1, 0] == 1 and seen.instances[0, 0] == -1
+    assert seen.detections[0].score == 1.0 and seen.detections[0].embedding is None
+
+
+def test_truth_leaves_out_what_is_beyond_the_depth_cameras_range() -> None:
+    observation = observe((TABLE,), BasePose(0.0, 0.0, 0.0))
+    blind = _changed(observation, depth=np.zeros_like(observation.depth))
+    assert truth_perception(blind, INSTRUCTION).detections == ()
+
+
+def test_truth_is_asked_for_and_missing() -> None:
+    observation = _changed(observe((TABLE,), BasePose(0.0, 0.0, 0.0)), truth=None)
+    with pytest.raises(InvalidInputError, match="give_truth"):
+        truth_perception(observation, INSTRUCTION)
+
+
+def test_a_misspelt_perception_is_answered_with_the_nearest() -> None:
+    with pytest.raises(UnknownNameError, match="did you mean 'truth'"):
+        perception_kind("truht")
+
+
+def test_the_baseline_believes_everything_from_0_45() -> None:
+    segmentation, observation = with_candidates((("cup", 0.46),), (("cup", 0.44),), (("bed", 0.45),))
+    assert names(believed(BASELINE.filters, segmentation, observation)) == ["cup", "bed"]
+
+
+def test_class_thresholds_find_a_faint_object_that_one_threshold_misses_and_doubt_a_goal_receptacle() -> None:
+    segmentation, observation = with_candidates((("cup", 0.38),), (("bed", 0.5),), (("table", 0.5),))
+    improved = BASELINE.with_improvements({Improvement.CLASS_THRESHOLDS})
+    assert names(believed(BASELINE.filters, segmentation, observation)) == ["bed", "table"]
+    assert names(believed(improved.filters, segmentation, observation)) == ["cup", "table"]
+
+
+def test_a_threshold_of_a_class_goes_before_that_of_its_role() -> None:
+    thresholds = Thresholds(UNITEAM_THRESHOLDS.by_role, 0.45, {"cup": 0.8})
+    assert thresholds.of("cup", INSTRUCTION) == 0.8
+    assert thresholds.of("cup", Instruction("bowl", "table", "bed")) == 0.8
+    assert thresholds.of("lamp", INSTRUCTION) == 0.45
+
+
+def test_a_doubtful_first_name_gives_way_to_a_second_that_is_believed() -> None:
+    receptacles = {ClassRole.START_RECEPTACLE: 0.9, ClassRole.GOAL_RECEPTACLE: 0.9}
+    thresholds = Thresholds({ClassRole.OBJECT: 0.3, **receptacles}, 0.9)
+    segmentation, observation = with_candidates((("table", 0.5), ("cup", 0.4)), (("lamp", 0.95), ("cup", 0.5)))
+    left = ScoreFilter(thresholds)(segmentation, observation, INSTRUCTION)
+    assert names(left) == ["cup", "lamp"]
+    assert roles_of(left.detections[0], INSTRUCTION) == (ClassRole.OBJECT,)
+    assert roles_of(left.detections[1], INSTRUCTION) == ()
+
+
+def test_a_class_that_is_start_and_goal_has_both_roles_and_the_lower_threshold() -> None:
+    same = Instruction("cup", "table", "table")
+    assert roles_of(Detection((("table", 1.0),)), same) == (ClassRole.START_RECEPTACLE, ClassRole.GOAL_RECEPTACLE)
+    assert UNITEAM_THRESHOLDS.of("table", same) == 0.45
+
+
+def test_floor_filter_drops_what_lies_on_the_floor_and_keeps_what_stands_on_furniture() -> None:
+    boxes = (
+        TABLE,
+        Box((1.2, -0.3, 0.7), (1.28, -0.22, 0.8), "cup"),
+        Box((1.4, 0.8, 0.0), (1.48, 0.88, 0.1), "cup"),
+        Box((2.0, 1.0, 0.0), (2.6, 1.6, 0.05), "bed"),
+        Box((2.5, -1.2, 0.0), (3.4, -0.7, 0.5), "bed"),
+        Box((0.5, 0.1, 0.0), (0.8, 0.3, 0.02), "rug"),
+    )
+    observation = observe(boxes, BasePose(-0.6, 0.0, 0.0))
+    seen = truth_perception(observation, INSTRUCTION)
+    assert names(seen) == ["table", "cup", "cup", "bed", "bed", "rug"]
+    left = FloorFilter()(seen, observation, INSTRUCTION)
+    assert names(left) == ["table", "cup", "bed", "rug"]
+    kept = [left.detections[i].name for i in np.unique(left.instances) if i >= 0]
+    assert sorted(kept) == ["bed", "cup", "rug", "table"]
+    assert names(believed(BASELINE.filters, seen, observation)) == names(seen)
+    improved = BASELINE.with_improvements({Improvement.FLOOR_FILTER})
+    assert names(believed(improved.filters, seen, observation)) == names(left)
+
+
+def _changed(observation: Observation, **changes: object) -> Observation:
+    return Observation(**{**vars(observation), **changes})

@@ -1,0 +1,107 @@
+"""Picking in a world of boxes: what the baseline misses, and what looking around and feeling the gripper mend."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from arm_world import ArmWorld, play
+from box_world import Box
+
+from uniteam.geometry import BasePose
+from uniteam.interface import DiscreteAction, Instruction
+from uniteam.mind.agents.config import BASELINE
+from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.manipulation.pick import PickConfig, PickResult, load_seen, pick
+
+INSTRUCTION = Instruction("cup", "table", "bed")
+TABLE = Box((0.45, -1.0, 0.0), (1.3, 1.0, 0.7), "table")
+BASIC = BASELINE.pick
+LOOKING = BASELINE.with_improvements({Improvement.LOOK_AROUND_PICK}).pick
+VERIFYING = BASELINE.with_improvements({Improvement.VERIFY_PICK}).pick
+
+
+def cup_at(x: float, y: float) -> Box:
+    return Box((x - 0.04, y - 0.04, 0.7), (x + 0.04, y + 0.04, 0.8), "cup")
+
+
+def pick_in(world: ArmWorld, config: PickConfig) -> PickResult:
+    result, _ = play(world, INSTRUCTION, lambda view: pick(view, config))
+    assert isinstance(result, PickResult)
+    return result
+
+
+def test_the_baseline_snaps_once_and_faces_ahead_again() -> None:
+    world = ArmWorld((TABLE, cup_at(0.6, 0.0)), BasePose(0.0, 0.0, 0.0))
+    result, actions = play(world, INSTRUCTION, lambda view: pick(view, BASIC))
+    assert actions == [
+        DiscreteAction.MANIPULATION_MODE,
+        DiscreteAction.SNAP_OBJECT,
+        DiscreteAction.NAVIGATION_MODE,
+    ]
+    assert world.held is not None
+    assert world.base.heading == pytest.approx(0.0)
+    assert isinstance(result, PickResult) and result.grasped
+
+
+def test_what_is_held_is_known_by_what_was_seen_of_it() -> None:
+    world = ArmWorld((TABLE, Box((0.5, -0.15, 0.7), (0.6, 0.15, 0.9), "cup")), BasePose(0.0, 0.0, 0.0))
+    world.do(DiscreteAction.MANIPULATION_MODE)
+    load = load_seen(world.view(INSTRUCTION))
+    assert load.along_base == pytest.approx(0.15, abs=0.02)
+    assert load.along_arm == pytest.approx(0.05, abs=0.02)
+    assert load.below == pytest.approx(0.2, abs=0.02)
+
+
+def test_look_around_pick_finds_an_object_beside_the_arm_that_the_baseline_misses() -> None:
+    for bearing in (40.0, -40.0, -65.0):
+        x, y = 0.7 * math.cos(math.radians(bearing)), 0.7 * math.sin(math.radians(bearing))
+        boxes = (Box((x - 0.2, y - 0.2, 0.0), (x + 0.2, y + 0.2, 0.7), "table"), cup_at(x, y))
+        worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+        pick_in(worlds[0], BASIC)
+        pick_in(worlds[1], LOOKING)
+        assert worlds[0].held is None, bearing
+        assert worlds[1].held is not None, bearing
+
+
+def test_look_around_pick_drives_closer_to_an_object_in_view_beyond_reach() -> None:
+    boxes = (Box((0.9, -0.5, 0.0), (1.4, 0.5, 0.7), "table"), cup_at(1.2, 0.1))
+    worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    pick_in(worlds[0], BASIC)
+    pick_in(worlds[1], LOOKING)
+    assert worlds[0].held is None
+    assert worlds[1].held is not None
+    assert worlds[1].base.x > 0.2
+
+
+def test_look_around_pick_lifts_the_gripper_to_a_high_object() -> None:
+    boxes = (Box((0.45, -0.5, 0.0), (1.0, 0.5, 1.05), "table"),)
+    boxes += (Box((0.84, -0.04, 1.05), (0.92, 0.04, 1.15), "cup"),)
+    worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    pick_in(worlds[0], BASIC)
+    pick_in(worlds[1], LOOKING)
+    assert worlds[0].held is None
+    assert worlds[1].held is not None
+    assert worlds[1].hits == []
+
+
+def test_look_around_pick_gives_up_where_there_is_nothing_and_faces_ahead_again() -> None:
+    world = ArmWorld((TABLE,), BasePose(0.0, 0.0, 0.3))
+    pick_in(world, LOOKING)
+    assert world.held is None
+    assert np.isclose(abs(math.remainder(world.base.heading - 0.3, 2 * math.pi)), math.radians(60.0))
+
+
+def test_verify_pick_knows_of_a_miss_that_the_baseline_takes_for_a_success() -> None:
+    worlds = [ArmWorld((TABLE,), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    assert pick_in(worlds[0], BASIC).grasped
+    assert not pick_in(worlds[1], VERIFYING).grasped
+
+
+def test_a_wrong_name_leads_to_a_snap_that_verify_pick_sees_through() -> None:
+    """Perception takes a bowl for the cup; the gripper, which takes cups only, stays empty."""
+    bowl = replace(cup_at(0.6, 0.0), name="bowl")
+    world = ArmWorld((TABLE, bowl), BasePose(0.0, 0.0, 0.0))
+    wrong = Instruction("bowl", "table", "bed")
+    result, _ = play(world, wrong, lambda view: pick(view, VERIFYING))
+    assert isinstance(result, PickResult) and not result.grasped
