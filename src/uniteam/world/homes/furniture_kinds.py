@@ -64,6 +64,7 @@ KINDS = {
     "tv_stand": Kind(("stand",), width=(0.9, 2.2), height=(0.3, 0.95)),
     "stand": Kind(("stand",)),
     "tv": Kind(("tv",), also=_not_named("wall")),
+    "wall_tv": Kind(("tv",), also=_named("wall")),
     "mirror": Kind(("mirror",), height=(0.0, 1.0)),
     "tall_mirror": Kind(("mirror",), height=(1.0, 2.2)),
     "low_cabinet": Kind(("cabinet", "chest_of_drawers"), width=(0.9, 2.2), height=(0.3, 0.95)),

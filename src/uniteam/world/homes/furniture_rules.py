@@ -71,6 +71,7 @@ LIVING_ROOM = (
     Rule(("couch", "corner_couch"), placing.mid_wall),
     Rule(("tv_stand", "low_cabinet"), placing.opposite, 0.9, anchor=_COUCHES),
     Rule("tv", hanging.on_top, anchor=("tv_stand", "low_cabinet")),
+    Rule(("wall_tv", "tv"), hanging.over, anchor=("tv_stand", "low_cabinet"), only_if_none=True),
     Rule("coffee_table", placing.before, 0.9, anchor=_COUCHES),
     Rule("rug", hanging.beneath, 0.7, anchor="coffee_table"),
     Rule("armchair", placing.facing, 0.8, (1, 2), anchor="coffee_table"),
