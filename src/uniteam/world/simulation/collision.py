@@ -38,21 +38,31 @@ class ArmCollider:
         self._things = np.flatnonzero(is_thing)
         self._low, self._high = self._model.low.copy(), self._model.high.copy()
         self._version = -1
+        self._gripped: str | None = None
 
     def first_hit(self, path: Sequence[RobotState], held: HeldObject | None) -> str | None:
-        """Return what the arm or the held object meets along a path: an instance's name, "wall", "floor" or None."""
+        """Return what the arm or the held object meets along a path: an instance's name, "wall", "floor" or None.
+
+        What the gripper has let go of is no part of the scene until it is clear of the fingers.
+        """
         geoms = self._moving_geoms(held)
         to_world = np.array([state.base.matrix() @ _frames(state.joints, held, len(geoms)) for state in path])
         low, high = _boxes(to_world, self._model.low[geoms], self._model.high[geoms])
         things = self._things_near(low.min(axis=(0, 1)), high.max(axis=(0, 1)), held)
-        if len(things) == 0:
-            return None
         near = _overlap(low[:, :, None], high[:, :, None], self._low[things], self._high[things])
+        self._gripped = self._still_gripped(near[0], things, held)
+        near[:, :, self._owners[things] == self._gripped] = False
         for sample in np.flatnonzero(near.any(axis=(1, 2))):
             poses = to_world[sample] @ self._geom_to_body[geoms]
             for thing in self._met(geoms, poses, things, near[sample]):
                 return str(self._owners[thing])
         return None
+
+    def _still_gripped(self, near: NDArray[np.bool_], things: NDArray[np.int64], held: HeldObject | None) -> str | None:
+        """Return what is held, or was and is still between the fingers; near is (B, T), whether boxes meet."""
+        if held is not None:
+            return held.name
+        return self._gripped if near[:, self._owners[things] == self._gripped].any() else None
 
     def _moving_geoms(self, held: HeldObject | None) -> NDArray[np.int64]:
         """Return the geoms of the arm, and after them those of the held object."""
