@@ -51,4 +51,4 @@ def test_doctor_finds_this_installation_whole(capsys: pytest.CaptureFixture[str]
     told = capsys.readouterr().out
     assert "Everything is in place" in told
     assert "checksum" in told
-    assert "models intact" in told
+    assert "graspable objects" in told

@@ -3,6 +3,7 @@
 import os
 import platform
 import sys
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
@@ -81,11 +82,12 @@ def _pack() -> Finding:
     from uniteam.world.assets.catalogue import load_catalogue
     from uniteam.world.assets.verify import verify_pack
 
-    verify_pack()
+    problems = verify_pack()
     models = load_catalogue().models.values()
     furniture = sum(model.role == "receptacle" for model in models)
     objects = sum(model.role == "object" for model in models)
-    return Finding(f"{len(models)} models intact: {furniture} receptacles, {objects} objects")
+    advice = f"{'; '.join(problems[:5])} ({len(problems)} files in all); reinstall uniteam" if problems else ""
+    return Finding(f"{len(models)} models: {furniture} receptacles, {objects} graspable objects", advice)
 
 
 def _splits() -> Finding:
@@ -112,7 +114,8 @@ def _opengl() -> Finding:
     import mujoco
 
     try:
-        mujoco.Renderer(mujoco.MjModel.from_xml_string("<mujoco/>"), 8, 8).close()
+        with warnings.catch_warnings(action="ignore"):
+            mujoco.Renderer(mujoco.MjModel.from_xml_string("<mujoco/>"), 8, 8).close()
     except Exception:
         return Finding(
             "absent, and not needed: only 'uniteam bench' compares with MuJoCo's renderer where it is present"

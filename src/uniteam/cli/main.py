@@ -35,7 +35,9 @@ COMMANDS = {
     "episodes": Command(
         "generate certified episodes of your own", "uniteam episodes --homes 9000:9010 --per-home 5 --out mine.jsonl.gz"
     ),
-    "assets": Command("list the models and draw contact sheets of them", "uniteam assets --category chair"),
+    "assets": Command(
+        "list the models and draw contact sheets of them", "uniteam assets --category chair --sheet sheets"
+    ),
     "bench": Command("measure where a step's time goes", "uniteam bench --out bench.json"),
     "doctor": Command("check that this installation is whole", "uniteam doctor"),
 }

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import cv2
 
-from uniteam.errors import DamagedFileError, UnknownNameError
+from uniteam.errors import DamagedFileError, UniteamError, UnknownNameError
 from uniteam.evaluation.agents import AgentSpec
 from uniteam.evaluation.play import play_episode, result_of_exception
 from uniteam.evaluation.result import EpisodeResult
@@ -49,20 +49,24 @@ class EpisodePlayer:
         self._camera = camera
 
     def __call__(self, attempt: Attempt) -> EpisodeResult:
-        """Play an attempt; an exception becomes a result, but for a damaged file, which is no episode's fault."""
-        episode = self._split.episodes[attempt.episode]
-        spec = self._agents[attempt.agent]
-        steps = 0
+        """Play an attempt; an exception becomes a result.
+
+        Raises:
+            UniteamError: the home cannot be opened: the split or the pack is at fault, and every episode would crash.
+        """
+        episode, spec = self._split.episodes[attempt.episode], self._agents[attempt.agent]
         try:
             environment = Environment(self._split.homes[episode.home], episode, self._camera, spec.needs_truth)
-            try:
-                return play_episode(environment, spec.make(environment))
-            finally:
-                steps = environment.measures.num_steps
+        except UniteamError:
+            raise
+        except Exception as error:
+            return result_of_exception(episode, error, steps=0)
+        try:
+            return play_episode(environment, spec.make(environment))
         except DamagedFileError:
             raise
         except Exception as error:
-            return result_of_exception(episode, error, steps)
+            return result_of_exception(episode, error, environment.measures.num_steps)
 
 
 @dataclass(frozen=True)
