@@ -22,7 +22,8 @@ class UnknownNameError(UniteamError):
         names = sorted(valid)
         nearest = get_close_matches(name, names, n=1, cutoff=0.4)
         hint = f"did you mean '{nearest[0]}'? " if nearest else ""
-        shown = ", ".join(names[:30]) + (f" and {len(names) - 30} more" if len(names) > 30 else "")
+        some = names if len(names) <= 30 else get_close_matches(name, names, n=5, cutoff=0.0)
+        shown = ", ".join(some) + (f" and {len(names) - len(some)} more" if len(names) > len(some) else "")
         super().__init__(f"unknown {kind} '{name}': {hint}Valid: {shown}.")
 
 
