@@ -1,0 +1,24 @@
+"""What a camera of the simulator sees at one instant."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+MAX_DEPTH = 10.0
+"""The head camera's range (m): beyond it, depth is 0."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Colour, depth and instance of every pixel.
+
+    Attributes:
+        rgb: (H, W, 3) uint8.
+        depth: (H, W) float32, metres along the optical axis; 0 where nothing is within `MAX_DEPTH`.
+        instances: (H, W) int16; index into the home's instances, -1 for the stage, the robot and the void.
+    """
+
+    rgb: NDArray[np.uint8]
+    depth: NDArray[np.float32]
+    instances: NDArray[np.int16]

@@ -1,0 +1,102 @@
+"""Flat rectangles and boxes gathered into meshes: what floors, walls and frames are built from."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from uniteam.world.assets.mesh import Material, Mesh
+
+Vector = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Surface:
+    """How a panel looks: its material, and how many metres one tile of the texture covers."""
+
+    material: Material
+    tile_size: float = 1.0
+
+
+@dataclass(frozen=True)
+class Plane:
+    """Where a panel lies: point (u, v) of the panel is at `origin + u * right + v * up` and faces `normal`."""
+
+    origin: Vector
+    right: Vector
+    up: Vector
+    normal: Vector
+
+
+class MeshBuilder:
+    """Gathers panels of several surfaces into one mesh."""
+
+    def __init__(self) -> None:
+        self._vertices: list[NDArray[np.float32]] = []
+        self._normals: list[NDArray[np.float32]] = []
+        self._uvs: list[NDArray[np.float32]] = []
+        self._triangles: list[NDArray[np.int32]] = []
+        self._triangle_materials: list[NDArray[np.int32]] = []
+        self._surfaces: list[Surface] = []
+        self._count = 0
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing was added."""
+        return not self._triangles
+
+    def add_panel(
+        self, plane: Plane, cuts: tuple[Sequence[float], Sequence[float]], surface: Surface, kept: NDArray | None = None
+    ) -> None:
+        """Add the grid between the cuts along u and v (m); `kept` (len(u) - 1, len(v) - 1) bool leaves holes."""
+        u, v = (np.asarray(c, dtype=np.float64) for c in cuts)
+        grid_u, grid_v = np.meshgrid(u, v, indexing="ij")
+        points = plane.origin + grid_u[..., None] * plane.right + grid_v[..., None] * plane.up
+        corner = np.arange(grid_u.size).reshape(grid_u.shape)
+        a, b, c, d = corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]
+        quads = np.stack([a, b, c, a, c, d], axis=-1)
+        triangles = (quads if kept is None else quads[kept]).reshape(-1, 3)
+        self._append(points.reshape(-1, 3), plane.normal, np.stack([grid_u, -grid_v], axis=-1), triangles, surface)
+
+    def add_box(self, low: Vector, high: Vector, frame: NDArray[np.float64], surface: Surface) -> None:
+        """Add an axis-aligned box of a frame; `frame` (4, 4) takes it to the world."""
+        size = np.asarray(high, dtype=np.float64) - low
+        for axis in range(3):
+            right, up = np.eye(3)[(axis + 1) % 3], np.eye(3)[(axis + 2) % 3]
+            for end in (0.0, 1.0):
+                origin = np.array(low, dtype=np.float64)
+                origin[axis] += end * size[axis]
+                rotation = frame[:3, :3]
+                plane = Plane(
+                    rotation @ origin + frame[:3, 3], rotation @ right, rotation @ up,
+                    rotation @ np.eye(3)[axis] * (2.0 * end - 1.0),
+                )  # fmt: skip
+                self.add_panel(plane, ((0.0, size[(axis + 1) % 3]), (0.0, size[(axis + 2) % 3])), surface)
+
+    def build(self) -> Mesh:
+        """Return everything added as one mesh."""
+        return Mesh(
+            vertices=np.concatenate(self._vertices),
+            normals=np.concatenate(self._normals),
+            uvs=np.concatenate(self._uvs),
+            triangles=np.concatenate(self._triangles),
+            triangle_materials=np.concatenate(self._triangle_materials),
+            materials=tuple(surface.material for surface in self._surfaces),
+        )
+
+    def _append(self, points: Vector, normal: Vector, uv: Vector, triangles: NDArray, surface: Surface) -> None:
+        material = self._index_of(surface)
+        self._vertices.append(points.astype(np.float32))
+        self._normals.append(np.broadcast_to(normal, points.shape).astype(np.float32))
+        self._uvs.append((uv.reshape(-1, 2) / surface.tile_size).astype(np.float32))
+        self._triangles.append((triangles + self._count).astype(np.int32))
+        self._triangle_materials.append(np.full(len(triangles), material, dtype=np.int32))
+        self._count += len(points)
+
+    def _index_of(self, surface: Surface) -> int:
+        for index, known in enumerate(self._surfaces):
+            if known is surface:
+                return index
+        self._surfaces.append(surface)
+        return len(self._surfaces) - 1

@@ -1,0 +1,157 @@
+"""Colour, depth and instance of every pixel, once it is known which triangle it sees.
+
+Where a pixel's ray meets its triangle follows from the triangle's corners in the world (the ray-triangle test of Möller
+and Trumbore, 1997, with its cross products done once a triangle), so texture coordinates are right in perspective and
+clipping needs no care.
+"""
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from uniteam.world.simulation.frame import MAX_DEPTH
+from uniteam.world.simulation.scene_buffers import SceneBuffers
+
+BACKGROUND = (196, 206, 214)
+"""Colour (RGB) where nothing is seen."""
+
+_LAYOUT_LEVELS = 3
+"""Column of the texture layout where the levels' starts begin."""
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def shade(
+    buffers: SceneBuffers,
+    rays: NDArray[np.float32],
+    inverse_depth: NDArray[np.float32],
+    triangle_at: NDArray[np.int32],
+    rgb: NDArray[np.uint8],
+    depth: NDArray[np.float32],
+    instances: NDArray[np.int16],
+) -> None:
+    """Write what is seen.
+
+    Args:
+        buffers: of the scene.
+        rays: (4, 3) float32, world: the camera's position, the ray through pixel (0, 0) with unit depth, and how the
+            ray changes from one column and from one row to the next.
+        inverse_depth, triangle_at: (H, W) of the rasteriser.
+        rgb, depth, instances: outputs of `Frame`.
+    """
+    height, width = triangle_at.shape
+    pixel_area = _norm(_cross(_row(rays, 2), _row(rays, 3)))
+    center = _row(rays, 0)
+    one, zero = np.float32(1.0), np.float32(0.0)
+    for y in range(height):
+        previous = -1
+        ray_y = np.float32(y)
+        start_x = rays[1, 0] + ray_y * rays[3, 0]
+        start_y = rays[1, 1] + ray_y * rays[3, 1]
+        start_z = rays[1, 2] + ray_y * rays[3, 2]
+        for x in range(width):
+            t = triangle_at[y, x]
+            if t < 0:
+                rgb[y, x, 0], rgb[y, x, 1], rgb[y, x, 2] = BACKGROUND
+                depth[y, x] = zero
+                instances[y, x] = -1
+                continue
+            if t != previous:
+                previous = t
+                a, b, c = buffers.triangles[t, 0], buffers.triangles[t, 1], buffers.triangles[t, 2]
+                origin = _row(buffers.vertices, a)
+                edge_1 = _minus(_row(buffers.vertices, b), origin)
+                edge_2 = _minus(_row(buffers.vertices, c), origin)
+                offset = _minus(center, origin)
+                normal = _cross(edge_2, edge_1)
+                across_1 = _cross(edge_2, offset)
+                across_2 = _cross(offset, edge_1)
+                part, material = buffers.triangle_parts[t], buffers.triangle_materials[t]
+                label = buffers.part_labels[part]
+                red = buffers.part_tints[part, 0] * buffers.material_colors[material, 0]
+                green = buffers.part_tints[part, 1] * buffers.material_colors[material, 1]
+                blue = buffers.part_tints[part, 2] * buffers.material_colors[material, 2]
+                layout = buffers.texture_layout[buffers.material_textures[material]]
+                texel_area = buffers.texel_areas[t] * pixel_area
+                u0, v0 = buffers.uvs[a, 0], buffers.uvs[a, 1]
+                u1, v1 = buffers.uvs[b, 0] - u0, buffers.uvs[b, 1] - v0
+                u2, v2 = buffers.uvs[c, 0] - u0, buffers.uvs[c, 1] - v0
+            step = np.float32(x)
+            ray = (start_x + step * rays[2, 0], start_y + step * rays[2, 1], start_z + step * rays[2, 2])
+            facing = _dot(ray, normal)
+            inverse = one / facing
+            share_1 = min(max(_dot(ray, across_1) * inverse, zero), one)
+            share_2 = min(max(_dot(ray, across_2) * inverse, zero), one)
+            distance = one / inverse_depth[y, x]
+            side = 0 if facing > zero else 1
+            light_0 = buffers.light[a, side]
+            light = (
+                light_0 + share_1 * (buffers.light[b, side] - light_0) + share_2 * (buffers.light[c, side] - light_0)
+            )
+            u = u0 + share_1 * u1 + share_2 * u2
+            v = v0 + share_1 * v1 + share_2 * v2
+            footprint = texel_area * distance * distance * abs(inverse)
+            texel_red, texel_green, texel_blue = _sample(buffers.texels, layout, u, v, footprint)
+            rgb[y, x, 0] = np.uint8(min(texel_red * red * light, np.float32(255.0)))
+            rgb[y, x, 1] = np.uint8(min(texel_green * green * light, np.float32(255.0)))
+            rgb[y, x, 2] = np.uint8(min(texel_blue * blue * light, np.float32(255.0)))
+            depth[y, x] = distance if distance <= np.float32(MAX_DEPTH) else zero
+            instances[y, x] = label
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _sample(
+    texels: NDArray[np.uint32], layout: NDArray[np.int32], u: np.float32, v: np.float32, footprint: np.float32
+) -> tuple[np.float32, np.float32, np.float32]:
+    """Return the bilinear colour at (u, v) of the level whose texels are about as large as the pixel's footprint."""
+    level = 0
+    # Half the binary logarithm of the footprint (texels), rounded: each level quarters it.
+    while footprint > np.float32(2.0) and level < layout[2]:
+        footprint *= np.float32(0.25)
+        level += 1
+    log2_width, log2_height = max(layout[0] - level, 0), max(layout[1] - level, 0)
+    columns, rows = 1 << log2_width, 1 << log2_height
+    column = u * np.float32(columns) - np.float32(0.5)
+    row = v * np.float32(rows) - np.float32(0.5)
+    low_column, low_row = np.floor(column), np.floor(row)
+    right, down = column - low_column, row - low_row
+    x0, y0 = np.int64(low_column) & (columns - 1), np.int64(low_row) & (rows - 1)
+    x1, y1 = (x0 + 1) & (columns - 1), (y0 + 1) & (rows - 1)
+    start = np.int64(layout[_LAYOUT_LEVELS + level])
+    a, b = texels[start + (y0 << log2_width) + x0], texels[start + (y0 << log2_width) + x1]
+    c, d = texels[start + (y1 << log2_width) + x0], texels[start + (y1 << log2_width) + x1]
+    one = np.float32(1.0)
+    wa, wb = (one - right) * (one - down), right * (one - down)
+    wc, wd = (one - right) * down, right * down
+    red = wa * (a & 255) + wb * (b & 255) + wc * (c & 255) + wd * (d & 255)
+    green = wa * ((a >> 8) & 255) + wb * ((b >> 8) & 255) + wc * ((c >> 8) & 255) + wd * ((d >> 8) & 255)
+    blue = wa * ((a >> 16) & 255) + wb * ((b >> 16) & 255) + wc * ((c >> 16) & 255) + wd * ((d >> 16) & 255)
+    return np.float32(red), np.float32(green), np.float32(blue)
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _row(array: NDArray[np.float32], k: int) -> tuple[np.float32, np.float32, np.float32]:
+    return array[k, 0], array[k, 1], array[k, 2]
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _minus(
+    a: tuple[np.float32, np.float32, np.float32], b: tuple[np.float32, np.float32, np.float32]
+) -> tuple[np.float32, np.float32, np.float32]:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _cross(
+    a: tuple[np.float32, np.float32, np.float32], b: tuple[np.float32, np.float32, np.float32]
+) -> tuple[np.float32, np.float32, np.float32]:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _dot(a: tuple[np.float32, np.float32, np.float32], b: tuple[np.float32, np.float32, np.float32]) -> np.float32:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _norm(a: tuple[np.float32, np.float32, np.float32]) -> np.float32:
+    return np.sqrt(_dot(a, a))
