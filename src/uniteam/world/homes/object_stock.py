@@ -7,35 +7,41 @@ from numpy.random import Generator
 from uniteam.world.assets.catalogue import Catalogue, Model, Pool
 
 _KITCHEN = (
-    "apple", "bottle", "bowl", "bread", "butter", "can", "canister", "citrus_juicer",
-    "coffee_press", "cup", "cutting_board", "electric_kettle", "fork", "french_fries", "glass",
-    "jar", "kitchen_utensil", "knife", "knife_block", "milk_carton", "moka_pot", "pan", "pitcher",
-    "plate", "pot", "salt_and_pepper_shaker", "spoon", "sponge", "teapot", "toaster", "tray",
-    "utensil_holder", "wine_bottle", "blender", "paper_towel", "cake", "banana", "rolling_pin",
-    "sandwich_maker",
+    "apple", "banana", "blender", "bottle", "bowl", "bread", "butter", "cake", "can", "canister", "carrot",
+    "cereal_box", "citrus_juicer", "coaster", "coffee_press", "cup", "cupcake", "cutting_board", "egg", "fork",
+    "french_fries", "glass", "hamburger", "hot_dog", "jar", "kettle", "knife", "knife_block", "ladle", "lemon",
+    "milk_carton", "moka_pot", "orange", "pan", "paper_towel", "pear", "pitcher", "plate", "pot", "roasted_chicken",
+    "rolling_pin", "salt_and_pepper_shaker", "sandwich_maker", "spatula", "sponge", "spoon", "steak", "teapot",
+    "toaster", "tomato", "tray", "utensil_holder", "wine_bottle",
 )  # fmt: skip
 _BATHROOM = (
-    "baby_bottle", "brush", "comb", "folded_clothes", "lipstick", "medicine_bottle", "perfume",
-    "soap_dispenser", "sponge", "spray_bottle", "towel", "toilet_paper", "toothbrush", "scale",
-    "cup",
+    "baby_bottle", "brush", "comb", "cup", "folded_clothes", "lipstick", "medicine_bottle", "perfume", "scale",
+    "shampoo", "soap_bar", "soap_dispenser", "sponge", "spray_bottle", "tissue_box", "toilet_brush", "toilet_paper",
+    "towel",
 )  # fmt: skip
 _LIVING_ROOM = (
-    "ashtray", "board_game", "book", "candle", "clock", "game_console", "game_controller", "lamp",
-    "newspaper", "picture_frame", "potted_plant", "radio", "remote_control", "speaker", "statue",
-    "toy_vehicle", "vase", "wine_bottle",
+    "ashtray", "board_game", "book", "candle", "clock", "coaster", "cushion", "die", "game_console",
+    "game_controller", "lamp", "newspaper", "picture_frame", "potted_plant", "radio", "remote_control", "speaker",
+    "statue", "tissue_box", "toy_vehicle", "trophy", "vase", "wine_bottle",
 )  # fmt: skip
 _BEDROOM = (
-    "action_figure", "book", "cellphone", "clock", "doll", "folded_clothes", "hat", "handbag",
-    "headphones", "lamp", "glove", "picture_frame", "shoe", "sock", "spectacles", "stuffed_toy",
-    "tablet", "watch", "perfume", "toy_airplane",
+    "action_figure", "book", "cellphone", "clock", "cushion", "doll", "folded_clothes", "glove", "handbag", "hat",
+    "lamp", "perfume", "picture_frame", "shoe", "sock", "spectacles", "stuffed_toy", "tablet", "toy_airplane",
+    "toy_construction_set", "watch", "xylophone",
 )  # fmt: skip
 _OFFICE = (
-    "book", "briefcase", "calendar", "camera", "cup", "file_sorter", "headphones", "lamp", "laptop",
-    "pen", "pencil_case", "ruler", "scissors", "stapler", "tablet", "tape", "telephone", "keyboard",
-    "mouse", "puzzle_cube", "cellphone",
+    "book", "briefcase", "calendar", "camera", "cellphone", "computer_mouse", "cup", "file_sorter", "keyboard",
+    "lamp", "laptop", "marker", "notebook", "pen", "pencil_case", "puzzle_cube", "ruler", "scissors", "stapler",
+    "tablet", "tape", "telephone", "trophy",
 )  # fmt: skip
-_HALL = ("backpack", "flashlight", "glove", "handbag", "hat", "helmet", "keys", "shoe", "umbrella", "wallet", "lantern")
-_LAUNDRY = ("basket", "box", "folded_clothes", "sock", "spray_bottle", "sponge", "towel", "hammer", "drill", "pliers")
+_HALL = (
+    "backpack", "ball", "flashlight", "glove", "handbag", "hat", "keys", "lantern", "shoe", "table_tennis_paddle",
+    "umbrella", "wallet",
+)  # fmt: skip
+_LAUNDRY = (
+    "basket", "box", "drill", "folded_clothes", "hammer", "pliers", "saw", "screwdriver", "sock", "sponge",
+    "spray_bottle", "towel",
+)  # fmt: skip
 
 _FITTING_ROOMS: Mapping[str, tuple[str, ...]] = {
     "kitchen": _KITCHEN, "dining_room": _KITCHEN, "bathroom": _BATHROOM, "living_room": _LIVING_ROOM,
