@@ -47,7 +47,7 @@ _FITTING_ROOMS: Mapping[str, tuple[str, ...]] = {
     "kitchen": _KITCHEN, "dining_room": _KITCHEN, "bathroom": _BATHROOM, "living_room": _LIVING_ROOM,
     "bedroom": _BEDROOM, "office": _OFFICE, "hall": _HALL, "laundry": _LAUNDRY,
 }  # fmt: skip
-"""Categories that one expects in a room; most of what lies about is not expected there."""
+"""Categories that one expects in a room; much of what lies about is not expected where it lies."""
 
 
 class ObjectStock:
