@@ -6,7 +6,7 @@ two stands in the certificate, reaches overall success from the episode's start.
 """
 
 from collections.abc import Iterator
-from itertools import chain, islice, product, repeat
+from itertools import chain, islice, product, repeat, zip_longest
 
 import numpy as np
 
@@ -27,7 +27,7 @@ from uniteam.world.task.tasks import Task
 from uniteam.world.task.view_points import Viewpoints
 
 GRASP_TRIES = 6
-RELEASE_TRIES = 10
+RELEASE_TRIES = 12
 EPISODE_TRIES = 4
 """How many proposals the simulator is asked about: for an object, for an object and a receptacle, for an episode."""
 GRASP_RANGE = 0.9
@@ -37,6 +37,8 @@ LEAST_DROP, MOST_DROP = 0.04, 0.75
 """How far above a surface an object's bottom is released (m); from higher where it must pass a rim."""
 HEADROOM = {MANIPULATION_POSTURE.wrist_pitch: 0.35, 0.0: 0.12}
 """By the wrist's pitch (rad), what the arm needs above an object (m); level, it reaches higher and between boards."""
+WAYS_FROM_A_HEIGHT, APART = 3, 0.12
+"""How many points of a surface are tried from one height, and how far apart they are (m)."""
 EDGE_MARGIN = 0.02
 """What an object keeps from a surface's edge, where the surface is large enough (m)."""
 
@@ -134,9 +136,12 @@ class Certifier:
         top = instance.position[2] + load_catalogue()[instance.model].size[2]
         surfaces = sorted(drop_points(self.home, instance), key=lambda surface: -surface.margins.max())
         drops = [(surface, drop) for surface in surfaces for drop in _drops(surface, top)]
-        for (surface, drop), pitch in product(sorted(drops, key=lambda pair: pair[1] != LEAST_DROP), HEADROOM):
-            if surface.clearance >= height + drop + HEADROOM[pitch]:
-                yield from islice(_ways(surface, floor_points, height + drop, pitch, margin), 1)
+        ways = [
+            islice(_ways(surface, floor_points, height + drop, pitch, margin), WAYS_FROM_A_HEIGHT)
+            for (surface, drop), pitch in product(sorted(drops, key=lambda pair: pair[1] != LEAST_DROP), HEADROOM)
+            if surface.clearance >= height + drop + HEADROOM[pitch]
+        ]
+        yield from (way for round_of_ways in zip_longest(*ways) for way in round_of_ways if way is not None)
 
     def _is_solved(self, episode: Episode) -> bool:
         environment = Environment(self.home, episode)
@@ -160,5 +165,8 @@ def _ways(
     """Yield ways to release at the surface's roomiest points; `height` is the gripper's above the surface (m)."""
     roominess = np.round(np.minimum(surface.margins, margin), 2)
     reach = np.linalg.norm(surface.points[:, None] - floor_points[None], axis=2).min(axis=1, initial=np.inf)
+    tried = np.empty((0, 2))
     for i in np.lexsort((reach, -roominess)):
-        yield from releases(surface.points[i], floor_points, surface.height + height, wrist_pitch)[:1]
+        if np.all(np.linalg.norm(tried - surface.points[i], axis=1) >= APART):
+            yield from releases(surface.points[i], floor_points, surface.height + height, wrist_pitch)[:1]
+            tried = np.vstack([tried, surface.points[i]])

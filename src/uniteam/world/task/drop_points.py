@@ -9,11 +9,13 @@ from uniteam.geometry import transform_points
 from uniteam.world.assets.catalogue import SupportSurface, load_catalogue
 from uniteam.world.homes.home import Home, Instance
 
-POINT_SPACING = 0.05
-LEAST_MARGIN = 0.05
+POINT_SPACING = 0.04
+LEAST_MARGIN = 0.03
 """A point keeps at least so far from its surface's edge (m)."""
 MOST_MARGIN = 0.25
 """What lies farther inside than this is no better (m)."""
+
+_LOWEST_SURFACE = 0.03
 
 
 @dataclass(frozen=True)
@@ -67,10 +69,10 @@ def _distance_to_edge(points: NDArray[np.float64], outline: NDArray[np.float64])
 
 
 def _distance_to_objects(home: Home, points: NDArray[np.float64], height: float) -> NDArray[np.float64]:
-    """Return how far (N,) points (N, 2) at a height are from the rims of the objects that stand there."""
+    """Return how far (N,) points (N, 2) at a height are from the rims of the things that stand there."""
     distances = np.full(len(points), np.inf)
     for instance in home.instances:
-        if instance.movable and -0.1 < instance.position[2] - height < 0.5:
+        if instance.position[2] > _LOWEST_SURFACE and -0.1 < instance.position[2] - height < 0.5:
             radius = float(np.hypot(*load_catalogue()[instance.model].size[:2])) / 2.0
             distances = np.minimum(distances, np.linalg.norm(points - instance.position[:2], axis=1) - radius)
     return distances

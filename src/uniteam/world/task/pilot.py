@@ -51,5 +51,6 @@ class Pilot:
         """Yield the actions that release what is held at a posture, in front of the robot."""
         yield DiscreteAction.MANIPULATION_MODE
         for posture in approach(joints):
-            yield JointDisplacement(posture - self._simulator.joints)
+            if posture != self._simulator.joints:
+                yield JointDisplacement(posture - self._simulator.joints)
         yield DiscreteAction.DESNAP_OBJECT

@@ -91,6 +91,7 @@ def releases(point: np.ndarray, floor_points: np.ndarray, gripper_height: float,
     ]
 
 
-def approach(joints: Joints) -> tuple[Joints, Joints]:
-    """Return the postures through which the arm comes to release at `joints`: at their height, then extended."""
-    return replace(joints, arm=MANIPULATION_POSTURE.arm), joints
+def approach(joints: Joints) -> tuple[Joints, Joints, Joints]:
+    """Return the postures through which the arm comes to release at `joints`: lifted, the wrist turned, extended."""
+    lifted = replace(MANIPULATION_POSTURE, lift=joints.lift)
+    return lifted, replace(joints, arm=lifted.arm), joints
