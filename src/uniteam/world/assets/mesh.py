@@ -1,7 +1,8 @@
 """Triangle meshes of the pack, read from its glTF binaries.
 
 The reader knows the subset of glTF 2.0 that `tools/build_assets.py` writes: one node, whose rotation stands the z-up
-vertices up for other programs and which we leave out; triangles, float positions and texture coordinates, signed-byte normals (KHR_mesh_quantization), base colours and JPEG textures within the file.
+vertices up for other programs and which is left out here; triangles, float positions and texture coordinates,
+signed-byte normals (KHR_mesh_quantization), base colours and JPEG textures within the file.
 """
 
 import json

@@ -1,0 +1,84 @@
+"""`uniteam assets`: what the pack of models holds, as a table and as contact sheets."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+from uniteam.errors import UnknownNameError
+from uniteam.world.assets.catalogue import Catalogue, Model, load_catalogue
+
+PER_SHEET = 48
+
+
+def assets(category: str | None = None, sheet: Path | None = None, shapes: bool = False) -> None:
+    """List the models and draw contact sheets of them.
+
+    Without a category the table has a line a category, with one a line a model.
+
+    Args:
+        category: show only this class of furniture, object or decor.
+        sheet: write contact sheets (PNG, 48 models each) into this folder.
+        shapes: draw collision shapes and support surfaces on the sheets instead of the models' looks.
+    """
+    catalogue = load_catalogue()
+    models = _chosen(catalogue, category)
+    console = Console()
+    console.print(_category_table(models, catalogue) if category is None else _model_table(models))
+    if sheet is not None:
+        for path in write_sheets(models, sheet, shapes):
+            console.print(f"wrote {path}", highlight=False, soft_wrap=True)
+
+
+def write_sheets(models: Sequence[Model], folder: Path, shapes: bool) -> list[Path]:
+    """Draw contact sheets of the models into a folder and return their paths."""
+    import cv2
+
+    from uniteam.visualization.contact_sheet import draw_sheet
+
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = []
+    for first in range(0, len(models), PER_SHEET):
+        page = draw_sheet(models[first : first + PER_SHEET], shapes=shapes)
+        paths.append(folder / f"sheet_{first // PER_SHEET:02d}.png")
+        cv2.imwrite(str(paths[-1]), page[..., ::-1])
+    return paths
+
+
+def _chosen(catalogue: Catalogue, category: str | None) -> list[Model]:
+    models = sorted(catalogue.models.values(), key=lambda m: (m.role, m.category, m.id))
+    if category is None:
+        return models
+    found = [m for m in models if m.category == category]
+    if not found:
+        raise UnknownNameError("category", category, {m.category for m in models})
+    return found
+
+
+def _category_table(models: Sequence[Model], catalogue: Catalogue) -> Table:
+    table = Table(title=f"{len(models)} models")
+    for heading in ("role", "category"):
+        table.add_column(heading)
+    for heading in ("models", "train", "test"):
+        table.add_column(heading, justify="right")
+    table.add_column("unseen in training")
+    groups: dict[tuple[str, str], list[Model]] = {}
+    for model in models:
+        groups.setdefault((model.role, model.category), []).append(model)
+    for (role, category), group in groups.items():
+        train = sum(m.pool == "train" for m in group)
+        unseen = "yes" if role == "object" and category in catalogue.unseen_categories else ""
+        table.add_row(role, category, str(len(group)), str(train), str(len(group) - train), unseen)
+    return table
+
+
+def _model_table(models: Sequence[Model]) -> Table:
+    table = Table(title=f"{len(models)} models of {models[0].category}")
+    for heading in ("id", "name", "size (cm)", "mass (kg)", "pool", "shapes", "surfaces at (cm)", "creator", "licence"):
+        table.add_column(heading)
+    for m in models:
+        size = " x ".join(f"{100 * s:.0f}" for s in m.size)
+        heights = " ".join(f"{100 * h:.0f}" for h in sorted({round(s.height, 2) for s in m.surfaces}))
+        table.add_row(m.id, m.name, size, f"{m.mass:g}", m.pool, str(len(m.shapes)), heights, m.creator, m.licence)
+    return table

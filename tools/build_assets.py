@@ -1,0 +1,124 @@
+"""Build the pack of models, textures and its catalogue from the Debian packages that hold the sources.
+
+apt-get download sweethome3d-furniture sweethome3d
+pip install '.[assets]'
+python tools/build_assets.py --debs . --work /tmp/assets
+"""
+
+import argparse
+import hashlib
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from assets_build.attribution import attribution_text
+from assets_build.convert import build_drawn, build_model
+from assets_build.drawn_decor import DECOR
+from assets_build.drawn_furniture import FURNITURE
+from assets_build.drawn_objects import OBJECTS
+from assets_build.floors_and_walls import build_textures
+from assets_build.pools import assign_pools
+from assets_build.selection import read_selection
+from assets_build.sources import read_sources
+
+BUILD = Path(__file__).parent / "assets_build"
+PACK = Path(__file__).parents[1] / "src/uniteam/world/assets/pack"
+CONVERSION = (
+    "convert",
+    "geometry",
+    "glb",
+    "hollow",
+    "images",
+    "masses",
+    "sampling",
+    "shapes",
+    "surfaces",
+    "voxels",
+    "wavefront",
+)
+
+
+def main() -> None:
+    """Read the arguments and build."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--debs", type=Path, required=True, help="folder of the two Debian packages")
+    parser.add_argument("--work", type=Path, required=True, help="folder for what is unpacked and kept between runs")
+    parser.add_argument("--pack", type=Path, default=PACK)
+    arguments = parser.parse_args()
+    sources = read_sources(arguments.debs, arguments.work)
+    kept = _Kept(arguments.work / "built")
+    models = []
+    for entry in read_selection(BUILD / "selection.json"):
+        source = sources[entry.source]
+        models.append(kept.build(f"{entry!r}", lambda folder, e=entry, s=source: build_model(s, e, folder)))
+    for drawn in (*FURNITURE, *OBJECTS, *DECOR):
+        models.append(kept.build(_drawing_key(drawn), lambda folder, d=drawn: build_drawn(d, folder)))
+    _write_pack(arguments.pack, models, kept.folder, arguments.work / "sweethome3d/models/sweethome3d")
+
+
+class _Kept:
+    """Models built before, found again by what they were built from."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        folder.mkdir(parents=True, exist_ok=True)
+        self._code = "".join((BUILD / f"{name}.py").read_text() for name in CONVERSION)
+
+    def build(self, key: str, make: Callable[[Path], dict[str, Any]]) -> dict[str, Any]:
+        """Return the catalogue entry of a model, building it only where its key or the conversion changed."""
+        path = self.folder / f"{hashlib.sha256((self._code + key).encode()).hexdigest()[:24]}.json"
+        if not path.exists():
+            model = make(self.folder)
+            print(model["id"], flush=True)
+            path.write_text(json.dumps(model))
+            shutil.copy(self.folder / f"{model['id']}.glb", path.with_suffix(".glb"))
+        model = json.loads(path.read_text())
+        return model | {"file": path.with_suffix(".glb").name}
+
+
+def _drawing_key(drawn: Any) -> str:
+    """Return what a drawing depends on: its triangles, textures and options."""
+    from assets_build.primitives import Drawing
+
+    drawing = Drawing()
+    drawn.draw(drawing)
+    content = hashlib.sha256()
+    for array in (*drawing.corners, *drawing.uvs):
+        content.update(array.tobytes())
+    for finish in drawing.finishes:
+        content.update(repr(finish).encode())
+    options = (
+        drawn.role,
+        drawn.category,
+        drawn.slug,
+        drawn.name,
+        drawn.collision,
+        drawn.boxes,
+        drawn.mass,
+        drawn.budget,
+    )
+    return f"{options} {content.hexdigest()}"
+
+
+def _write_pack(pack: Path, models: list[dict[str, Any]], built: Path, textures: Path) -> None:
+    shutil.rmtree(pack / "models", ignore_errors=True)
+    (pack / "models").mkdir(parents=True)
+    for model in models:
+        shutil.copy(built / model.pop("file"), pack / "models" / f"{model['id']}.glb")
+    build_textures(textures, pack / "textures")
+    unseen = frozenset(json.loads((BUILD / "unseen_categories.json").read_text()))
+    unseen &= {m["category"] for m in models if m["role"] == "object"}
+    listed = assign_pools(models, unseen)
+    lines = ",\n".join(json.dumps(m, separators=(",", ":")) for m in listed)
+    (pack / "catalogue.json").write_text(
+        f'{{"unseen_categories":{json.dumps(sorted(unseen))},\n"models":[\n{lines}\n]}}\n', encoding="utf-8"
+    )
+    described = json.loads((pack / "textures/textures.json").read_text())
+    robot = (BUILD / "robot_attribution.md").read_text()
+    (pack / "ATTRIBUTION.md").write_text(attribution_text(listed, described, robot), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
