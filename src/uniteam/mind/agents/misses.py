@@ -6,7 +6,8 @@ import cv2
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc_mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc, disc_mask
+from uniteam.mind.navigation.distance_field import distance_field
 from uniteam.mind.navigation.exploration import ChooseGoal
 from uniteam.mind.navigation.goal import Goal, GoalKind
 
@@ -68,7 +69,7 @@ class Misses:
     def _from_elsewhere(self, bird_map: BirdsEyeMap, goal: Goal, hopeless: Mask) -> Goal | None:
         """Return the goal of standing as near to the cells as asked for, but not where an attempt has failed."""
         face = (goal.cells if goal.face is None else goal.face) & ~hopeless
-        stands = _near(goal.cells & ~hopeless, goal.distance, bird_map.cell_size)
+        stands = _before(bird_map, goal.cells & ~hopeless, goal.distance)
         stands &= ~self._around(bird_map, tuple((m.stand.x, m.stand.y) for m in self.made), self.same_stand)
         if not (stands.any() and face.any()):
             return None
@@ -81,8 +82,7 @@ class Misses:
         return mask
 
 
-def _near(cells: Mask, distance: float, cell_size: float) -> Mask:
-    """Return the cells within a distance (m) of some cells."""
-    if not cells.any():
-        return cells
-    return cv2.distanceTransform((~cells).view(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5) * cell_size <= distance
+def _before(bird_map: BirdsEyeMap, cells: Mask, distance: float) -> Mask:
+    """Return the cells within a distance (m) of some cells, but not those that a wall keeps apart from them."""
+    own = cv2.dilate(cells.view(np.uint8), disc(2)).view(np.bool_)
+    return distance_field(~bird_map.obstacle | own, cells, bird_map.cell_size) <= distance

@@ -80,7 +80,7 @@ def place(view: View, task: PlaceTask, config: PlaceConfig, is_last: bool) -> Sk
     """
     aim = yield from config.close_in(view, task)
     if aim is None and not is_last:
-        yield discrete(DiscreteAction.NAVIGATION_MODE, "The arm does not reach the receptacle here; I try elsewhere.")
+        yield discrete(DiscreteAction.NAVIGATION_MODE, "The arm cannot place it from here; I try elsewhere.")
         return False
     if aim is None:
         aim = yield from config.fall_back(view, task)

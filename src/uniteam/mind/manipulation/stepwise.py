@@ -44,6 +44,8 @@ class CloseInStepwise:
         """Answer with an aim that touches nothing seen; None where there is none."""
         nearby = Nearby()
         nearby.add(view)
+        if len(nearby.goal_points(view.observation.base_to_start)) == 0:
+            return None
         view = yield from self._come_closer(view, task, nearby)
         view = yield from enter_manipulation_mode(view, "I am near enough and point the arm at the receptacle.")
         nearby.add(view)
