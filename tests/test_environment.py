@@ -120,10 +120,12 @@ def test_stop_ends_the_episode(split: Split) -> None:
         environment.step(DiscreteAction.TURN_LEFT)
 
 
-def test_the_steps_of_an_episode_run_out(split: Split) -> None:
+def test_the_steps_of_an_episode_run_out(split: Split, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert MAXIMUM_STEPS == 1250
+    monkeypatch.setattr("uniteam.world.task.environment.MAXIMUM_STEPS", 20)
     environment = _environment(split)
     environment.reset()
-    for _ in range(MAXIMUM_STEPS):
+    for _ in range(20):
         assert not environment.is_over
         environment.step(DiscreteAction.EMPTY_ACTION)
     assert environment.is_over

@@ -10,6 +10,7 @@ from uniteam.cli.main import main
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
 from uniteam.stretch import HEAD_CAMERA_HALF
+from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, load_catalogue
 from uniteam.world.homes.home import Home
 from uniteam.world.homes.settling import resting_on
 from uniteam.world.simulation.simulator import Simulator
@@ -34,14 +35,15 @@ def simulator(home: Home) -> Simulator:
 
 @pytest.fixture(scope="module")
 def made(home: Home) -> tuple[Episode, ...]:
-    return EpisodeMaker(home, Tally()).episodes(3)
+    return EpisodeMaker(home, Tally()).episodes(2)
 
 
 def test_view_points_are_reachable_near_and_see_the_instance(home: Home, simulator: Simulator) -> None:
     views = Viewpoints(home, simulator.floor, simulator.physics.model)
     rng = np.random.default_rng(0)
     seen = []
-    for name in rng.choice([i.name for i in home.instances if i.movable], 8, replace=False):
+    things = [i.name for i in home.instances if i.movable and load_catalogue()[i.model].size[2] > 0.06]
+    for name in rng.choice(things, 8, replace=False):
         x, y, _ = home.by_name[name].position
         points = [p for p in views.of(name) if np.hypot(p[0] - x, p[1] - y) > 0.8]
         for i in rng.permutation(len(points))[:4]:
@@ -67,7 +69,7 @@ def test_what_is_behind_a_wall_is_not_seen(home: Home, simulator: Simulator) -> 
     views = Viewpoints(home, simulator.floor, simulator.physics.model)
     blocked = 0
     for instance in home.instances:
-        if not instance.movable:
+        if instance.category in RECEPTACLE_CATEGORIES:
             room = next(r for r in home.stage.rooms if r.name == instance.room)
             points, seen = views.standable(instance), set(views.of(instance.name))
             outside = (points < np.array(room.low) - 0.3) | (points > np.array(room.high) + 0.3)
@@ -104,9 +106,9 @@ def test_goal_classes_that_a_split_lacks_are_tried_first() -> None:
 def test_certified_episodes_start_far_from_the_object_and_ask_for_different_things(
     home: Home, made: tuple[Episode, ...], simulator: Simulator
 ) -> None:
-    assert len(made) == 3
-    assert len({episode.instruction for episode in made}) == 3
-    assert len({episode.id for episode in made}) == 3
+    assert len(made) == 2
+    assert len({episode.instruction for episode in made}) == 2
+    assert len({episode.id for episode in made}) == 2
     for episode in made:
         assert simulator.floor.is_free(episode.start.x, episode.start.y)
         assert simulator.floor.largest_component[simulator.floor.to_cell(episode.start.x, episode.start.y)]
