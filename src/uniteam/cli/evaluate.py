@@ -88,7 +88,9 @@ def _play(evaluation: Evaluation, worker_count: int, console: Console) -> None:
             progress.update(bar, advance=1, description=tally.after(agent, result))
             if not console.is_terminal:  # a log has no bar to watch
                 done = f"{total - len(evaluation.remaining)}/{total}"
-                console.print(f"{done} {agent}, {result.episode}: {result.failure or 'success'}", markup=False)
+                console.print(
+                    f"{done} {agent}, {result.episode}: {result.failure or 'success'}", markup=False, soft_wrap=True
+                )
 
         try:
             evaluation.play(worker_count, advance)
