@@ -26,11 +26,10 @@ def render(scene: Scene, camera: PinholeCamera, camera_to_world: NDArray[np.floa
         raise InvalidInputError(f"a camera's pose must be a (4, 4) transform, got {camera_to_world.shape}")
     buffers = scene.buffers()
     shape = (camera.height, camera.width)
-    screen = np.empty((len(buffers.vertices), 3), dtype=np.float32)
-    inverse_depth, triangle_at = np.empty(shape, dtype=np.float32), np.empty(shape, dtype=np.int32)
-    rasterise(buffers, _view(camera, camera_to_world), screen, inverse_depth, triangle_at)
+    workspace = scene.workspace(*shape)
+    rasterise(buffers, _view(camera, camera_to_world), workspace)
     frame = Frame(np.empty((*shape, 3), np.uint8), np.empty(shape, np.float32), np.empty(shape, np.int16))
-    shade(buffers, _rays(camera, camera_to_world), inverse_depth, triangle_at, frame.rgb, frame.depth, frame.instances)
+    shade(buffers, _rays(camera, camera_to_world), workspace, frame.rgb, frame.depth, frame.instances)
     return frame
 
 

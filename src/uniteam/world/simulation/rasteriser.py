@@ -11,29 +11,22 @@ from numba import njit
 from numpy.typing import NDArray
 
 from uniteam.world.simulation.culling import NEAR, TILE, coarsen, drawing_order, is_hidden, screen_bounds
-from uniteam.world.simulation.scene_buffers import SceneBuffers
+from uniteam.world.simulation.scene_buffers import SceneBuffers, Workspace
 
 PARTS_BETWEEN_COARSENINGS = 12
 """So many parts are drawn before the coarse depth buffer is brought up to date."""
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def rasterise(
-    buffers: SceneBuffers,
-    view: NDArray[np.float32],
-    screen: NDArray[np.float32],
-    inverse_depth: NDArray[np.float32],
-    triangle_at: NDArray[np.int32],
-) -> None:
+def rasterise(buffers: SceneBuffers, view: NDArray[np.float32], workspace: Workspace) -> None:
     """Draw every visible part.
 
     Args:
         buffers: of the scene.
         view: (3, 4) float32 from the world to pixel coordinates times depth (intrinsics @ world_to_camera).
-        screen: (V, 3) float32, room to work: column, row, inverse depth of each vertex.
-        inverse_depth: (H, W) float32 output, 1/m; 0 where nothing is seen.
-        triangle_at: (H, W) int32 output, the triangle that is seen; -1 where there is none.
+        workspace: output.
     """
+    screen, inverse_depth, triangle_at = workspace.screen, workspace.inverse_depth, workspace.triangle_at
     height, width = inverse_depth.shape
     inverse_depth[:] = 0.0
     triangle_at[:] = -1

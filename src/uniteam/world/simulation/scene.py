@@ -13,7 +13,7 @@ from uniteam.world.assets.mesh import Mesh
 from uniteam.world.homes.home import Home
 from uniteam.world.simulation.drawable import Drawable, load_drawable, make_drawable
 from uniteam.world.simulation.lighting import RoomLight, outdoor_light, place_part, room_light
-from uniteam.world.simulation.scene_buffers import SceneBuffers
+from uniteam.world.simulation.scene_buffers import SceneBuffers, Workspace
 from uniteam.world.simulation.stage_mesh import StagePart, room_at, stage_parts
 from uniteam.world.simulation.texture_atlas import AtlasBuilder, MipCache
 
@@ -62,6 +62,7 @@ class Scene:
         self._buffers = _pack(entries)
         self._poses = np.tile(np.eye(4), (len(entries), 1, 1))
         self._stale: set[int] = set()
+        self._workspaces: dict[tuple[int, int], Workspace] = {}
         for index, part in enumerate(stage):
             self._place(index, self._outdoors if part.room is None else self._lights[part.room])
         for instance in home.instances:
@@ -100,6 +101,16 @@ class Scene:
                 self._place(index, self._light_at(index))
                 self._stale.discard(index)
         return self._buffers
+
+    def workspace(self, height: int, width: int) -> Workspace:
+        """Return the rasteriser's arrays for images of a size; their content is the last frame's."""
+        if (height, width) not in self._workspaces:
+            self._workspaces[height, width] = Workspace(
+                np.empty((len(self._buffers.vertices), 3), dtype=np.float32),
+                np.empty((height, width), dtype=np.float32),
+                np.empty((height, width), dtype=np.int32),
+            )
+        return self._workspaces[height, width]
 
     def _indices(self, name: str) -> list[int]:
         if name not in self._parts_of:

@@ -6,6 +6,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 
+class Workspace(NamedTuple):
+    """Arrays that the rasteriser writes anew in every frame, kept because fresh memory costs milliseconds.
+
+    Attributes:
+        screen: (V, 3) float32: column, row and inverse depth (1/m) of each vertex; -1 in front of the near plane.
+        inverse_depth: (H, W) float32, 1/m; 0 where nothing is seen.
+        triangle_at: (H, W) int32, the triangle that is seen; -1 where there is none.
+    """
+
+    screen: NDArray[np.float32]
+    inverse_depth: NDArray[np.float32]
+    triangle_at: NDArray[np.int32]
+
+
 class SceneBuffers(NamedTuple):
     """Everything that can be seen; a PART is what moves and is lit as one (an instance, a wall, a link of the robot).
 

@@ -10,10 +10,13 @@ from numba import njit
 from numpy.typing import NDArray
 
 from uniteam.world.simulation.frame import MAX_DEPTH
-from uniteam.world.simulation.scene_buffers import SceneBuffers
+from uniteam.world.simulation.scene_buffers import SceneBuffers, Workspace
 
 BACKGROUND = (196, 206, 214)
 """Colour (RGB) where nothing is seen."""
+
+Pair = tuple[np.float32, np.float32]
+Triple = tuple[np.float32, np.float32, np.float32]
 
 _LAYOUT_LEVELS = 3
 """Column of the texture layout where the levels' starts begin."""
@@ -23,8 +26,7 @@ _LAYOUT_LEVELS = 3
 def shade(
     buffers: SceneBuffers,
     rays: NDArray[np.float32],
-    inverse_depth: NDArray[np.float32],
-    triangle_at: NDArray[np.int32],
+    workspace: Workspace,
     rgb: NDArray[np.uint8],
     depth: NDArray[np.float32],
     instances: NDArray[np.int16],
@@ -35,15 +37,16 @@ def shade(
         buffers: of the scene.
         rays: (4, 3) float32, world: the camera's position, the ray through pixel (0, 0) with unit depth, and how the
             ray changes from one column and from one row to the next.
-        inverse_depth, triangle_at: (H, W) of the rasteriser.
+        workspace: as the rasteriser left it.
         rgb, depth, instances: outputs of `Frame`.
     """
+    inverse_depth, triangle_at = workspace.inverse_depth, workspace.triangle_at
     height, width = triangle_at.shape
     pixel_area = _norm(_cross(_row(rays, 2), _row(rays, 3)))
     center = _row(rays, 0)
     one, zero = np.float32(1.0), np.float32(0.0)
+    previous = -1
     for y in range(height):
-        previous = -1
         ray_y = np.float32(y)
         start_x = rays[1, 0] + ray_y * rays[3, 0]
         start_y = rays[1, 1] + ray_y * rays[3, 1]
@@ -70,7 +73,8 @@ def shade(
                 red = buffers.part_tints[part, 0] * buffers.material_colors[material, 0]
                 green = buffers.part_tints[part, 1] * buffers.material_colors[material, 1]
                 blue = buffers.part_tints[part, 2] * buffers.material_colors[material, 2]
-                layout = buffers.texture_layout[buffers.material_textures[material]]
+                texture = buffers.material_textures[material]
+                is_plain = buffers.texture_layout[texture, 2] == 0
                 texel_area = buffers.texel_areas[t] * pixel_area
                 u0, v0 = buffers.uvs[a, 0], buffers.uvs[a, 1]
                 u1, v1 = buffers.uvs[b, 0] - u0, buffers.uvs[b, 1] - v0
@@ -87,10 +91,13 @@ def shade(
             light = (
                 light_0 + share_1 * (buffers.light[b, side] - light_0) + share_2 * (buffers.light[c, side] - light_0)
             )
-            u = u0 + share_1 * u1 + share_2 * u2
-            v = v0 + share_1 * v1 + share_2 * v2
-            footprint = texel_area * distance * distance * abs(inverse)
-            texel_red, texel_green, texel_blue = _sample(buffers.texels, layout, u, v, footprint)
+            texel_red = texel_green = texel_blue = np.float32(255.0)
+            if not is_plain:
+                uv = (u0 + share_1 * u1 + share_2 * u2, v0 + share_1 * v1 + share_2 * v2)
+                footprint = texel_area * distance * distance * abs(inverse)
+                texel_red, texel_green, texel_blue = _sample(
+                    buffers.texels, buffers.texture_layout, texture, uv, footprint
+                )
             rgb[y, x, 0] = np.uint8(min(texel_red * red * light, np.float32(255.0)))
             rgb[y, x, 1] = np.uint8(min(texel_green * green * light, np.float32(255.0)))
             rgb[y, x, 2] = np.uint8(min(texel_blue * blue * light, np.float32(255.0)))
@@ -100,58 +107,61 @@ def shade(
 
 @njit(cache=True, nogil=True, fastmath=True)
 def _sample(
-    texels: NDArray[np.uint32], layout: NDArray[np.int32], u: np.float32, v: np.float32, footprint: np.float32
-) -> tuple[np.float32, np.float32, np.float32]:
+    texels: NDArray[np.uint32], layouts: NDArray[np.int32], texture: int, uv: Pair, footprint: np.float32
+) -> Triple:
     """Return the bilinear colour at (u, v) of the level whose texels are about as large as the pixel's footprint."""
-    level = 0
-    # Half the binary logarithm of the footprint (texels), rounded: each level quarters it.
-    while footprint > np.float32(2.0) and level < layout[2]:
-        footprint *= np.float32(0.25)
-        level += 1
-    log2_width, log2_height = max(layout[0] - level, 0), max(layout[1] - level, 0)
+    level = min(_mip_level(footprint), layouts[texture, 2])
+    log2_width, log2_height = max(layouts[texture, 0] - level, 0), max(layouts[texture, 1] - level, 0)
     columns, rows = 1 << log2_width, 1 << log2_height
-    column = u * np.float32(columns) - np.float32(0.5)
-    row = v * np.float32(rows) - np.float32(0.5)
+    column = uv[0] * np.float32(columns) - np.float32(0.5)
+    row = uv[1] * np.float32(rows) - np.float32(0.5)
     low_column, low_row = np.floor(column), np.floor(row)
     right, down = column - low_column, row - low_row
     x0, y0 = np.int64(low_column) & (columns - 1), np.int64(low_row) & (rows - 1)
     x1, y1 = (x0 + 1) & (columns - 1), (y0 + 1) & (rows - 1)
-    start = np.int64(layout[_LAYOUT_LEVELS + level])
-    a, b = texels[start + (y0 << log2_width) + x0], texels[start + (y0 << log2_width) + x1]
-    c, d = texels[start + (y1 << log2_width) + x0], texels[start + (y1 << log2_width) + x1]
+    upper = np.int64(layouts[texture, _LAYOUT_LEVELS + level]) + (y0 << log2_width)
+    lower = np.int64(layouts[texture, _LAYOUT_LEVELS + level]) + (y1 << log2_width)
+    a, b, c, d = texels[upper + x0], texels[upper + x1], texels[lower + x0], texels[lower + x1]
     one = np.float32(1.0)
-    wa, wb = (one - right) * (one - down), right * (one - down)
-    wc, wd = (one - right) * down, right * down
-    red = wa * (a & 255) + wb * (b & 255) + wc * (c & 255) + wd * (d & 255)
-    green = wa * ((a >> 8) & 255) + wb * ((b >> 8) & 255) + wc * ((c >> 8) & 255) + wd * ((d >> 8) & 255)
-    blue = wa * ((a >> 16) & 255) + wb * ((b >> 16) & 255) + wc * ((c >> 16) & 255) + wd * ((d >> 16) & 255)
-    return np.float32(red), np.float32(green), np.float32(blue)
+    wa, wb, wc, wd = (one - right) * (one - down), right * (one - down), (one - right) * down, right * down
+    red = wa * _channel(a, 0) + wb * _channel(b, 0) + wc * _channel(c, 0) + wd * _channel(d, 0)
+    green = wa * _channel(a, 8) + wb * _channel(b, 8) + wc * _channel(c, 8) + wd * _channel(d, 8)
+    blue = wa * _channel(a, 16) + wb * _channel(b, 16) + wc * _channel(c, 16) + wd * _channel(d, 16)
+    return red, green, blue
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def _row(array: NDArray[np.float32], k: int) -> tuple[np.float32, np.float32, np.float32]:
+def _channel(texel: np.uint32, shift: int) -> np.float32:
+    return np.float32(np.int32((texel >> np.uint32(shift)) & np.uint32(255)))
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _mip_level(footprint: np.float32) -> int:
+    """Return half the binary logarithm of a pixel's area in texels, rounded: each level quarters it."""
+    exponent = (np.float32(footprint * np.float32(2.0)).view(np.int32) >> 23) - 127
+    return max(exponent >> 1, 0)
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _row(array: NDArray[np.float32], k: int) -> Triple:
     return array[k, 0], array[k, 1], array[k, 2]
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def _minus(
-    a: tuple[np.float32, np.float32, np.float32], b: tuple[np.float32, np.float32, np.float32]
-) -> tuple[np.float32, np.float32, np.float32]:
+def _minus(a: Triple, b: Triple) -> Triple:
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def _cross(
-    a: tuple[np.float32, np.float32, np.float32], b: tuple[np.float32, np.float32, np.float32]
-) -> tuple[np.float32, np.float32, np.float32]:
+def _cross(a: Triple, b: Triple) -> Triple:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def _dot(a: tuple[np.float32, np.float32, np.float32], b: tuple[np.float32, np.float32, np.float32]) -> np.float32:
+def _dot(a: Triple, b: Triple) -> np.float32:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def _norm(a: tuple[np.float32, np.float32, np.float32]) -> np.float32:
+def _norm(a: Triple) -> np.float32:
     return np.sqrt(_dot(a, a))
