@@ -83,7 +83,8 @@ def _floor_filter(config: AgentConfig) -> AgentConfig:
 
 
 def _collision_mapping(config: AgentConfig) -> AgentConfig:
-    return replace(config, planner=replace(config.planner, collisions=COLLISION_MAPPING))
+    """Keep collisions, and plan with what they teach: a base of 0.3 m asks for six cells, not for three."""
+    return replace(config, planner=replace(config.planner, collisions=COLLISION_MAPPING, dilations=(6, 5, 4, 3, 2, 1)))
 
 
 def _look_around_pick(config: AgentConfig) -> AgentConfig:

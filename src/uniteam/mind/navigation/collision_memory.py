@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 
+RIM = 0.35
+"""m from the base's axis; what blocks a motion is no nearer."""
+
 
 @dataclass(frozen=True)
 class BlockedMotion:
@@ -53,14 +56,14 @@ def forget_collisions(bird_map: BirdsEyeMap) -> None:
 
 
 def write_short_term_goal(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
-    """Write an obstacle at the last short-term goal, where the motion led: UniTeam's `collision_mapping`.
+    """Write an obstacle where the motion led, before the base's rim, wider when blocked again: UniTeam's improvement.
 
     It stands in the obstacle map, so it is dilated as any obstacle and stays for good.
     """
-    x, y = motion.short_term_goal
-    ahead = BasePose(motion.base.x, motion.base.y, math.atan2(y - motion.base.y, x - motion.base.x))
-    reach = max(4, round(motion.base.distance_to(x, y) / bird_map.cell_size))
-    points = _patch(ahead, bird_map.cell_size, range(reach, reach + 2), width=3)
+    length = max(RIM, motion.base.distance_to(*motion.short_term_goal))
+    reach = round(length / bird_map.cell_size)
+    width = min(2 * motion.in_a_row + 1, 13)
+    points = _patch(motion.base, bird_map.cell_size, range(reach, reach + 2), width)
     bird_map.mark_obstacle(points)
     bird_map.mark_collision(points)
 
