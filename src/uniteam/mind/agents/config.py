@@ -14,9 +14,19 @@ from uniteam.mind.manipulation.stepwise import CloseInStepwise
 from uniteam.mind.manipulation.surface import densest_slab
 from uniteam.mind.manipulation.surface_fallback import OntoFlatSurface
 from uniteam.mind.mapping.birds_eye_map import MapConfig
+from uniteam.mind.navigation.centre_approach import CentreApproach
 from uniteam.mind.navigation.collision_memory import COLLISION_MAPPING
-from uniteam.mind.navigation.exploration import FIND_OBJECT, FIND_RECEPTACLE, ChooseGoal
+from uniteam.mind.navigation.commitment import StuckDetector, Trail, never_stuck
+from uniteam.mind.navigation.exploration import (
+    FIND_OBJECT,
+    FIND_RECEPTACLE,
+    ChooseGoal,
+    goal_receptacle,
+    start_receptacle_not_been_close,
+)
 from uniteam.mind.navigation.planner import PlannerConfig
+from uniteam.mind.navigation.receptacles import MostProbableReceptacle
+from uniteam.mind.navigation.surround import SurroundStartReceptacle
 from uniteam.mind.perception.filters import Filter, FloorFilter, ScoreFilter, Thresholds
 from uniteam.mind.perception.vocabulary import ClassRole
 
@@ -33,6 +43,7 @@ class AgentConfig:
         find_receptacle: what to head for with the object in the gripper, in order of preference.
         pick: how to pick.
         place: how to place.
+        is_stuck: when to leave what the robot heads for, for a frontier.
         first_turns: turns of 30 degrees to look around with at first.
     """
 
@@ -43,6 +54,7 @@ class AgentConfig:
     find_receptacle: tuple[ChooseGoal, ...]
     pick: PickConfig
     place: PlaceConfig
+    is_stuck: Callable[[Trail], bool] = never_stuck
     first_turns: int = 12
 
     def with_improvements(self, improvements: frozenset[Improvement] | set[Improvement]) -> "AgentConfig":
@@ -72,6 +84,9 @@ UNITEAM_THRESHOLDS = Thresholds(
 )
 """A missed object ends the episode, so little evidence is enough to go and look; a wrong goal receptacle costs it."""
 
+FARTHEST_SIGHT = 10.0
+"""How far the camera measures depth (m)."""
+
 
 def _class_thresholds(config: AgentConfig) -> AgentConfig:
     others = tuple(f for f in config.filters if not isinstance(f, ScoreFilter))
@@ -80,6 +95,32 @@ def _class_thresholds(config: AgentConfig) -> AgentConfig:
 
 def _floor_filter(config: AgentConfig) -> AgentConfig:
     return replace(config, filters=(*config.filters, FloorFilter()))
+
+
+def _goal_or_frontier(config: AgentConfig) -> AgentConfig:
+    return replace(config, is_stuck=StuckDetector())
+
+
+def _surround_start_receptacle(config: AgentConfig) -> AgentConfig:
+    around = SurroundStartReceptacle()
+    choices = tuple(around if c is start_receptacle_not_been_close else c for c in config.find_object)
+    return replace(config, find_object=choices)
+
+
+def _receptacle_probability(config: AgentConfig) -> AgentConfig:
+    probable = MostProbableReceptacle()
+    choices = tuple(probable if c is goal_receptacle else c for c in config.find_receptacle)
+    return replace(config, find_receptacle=choices)
+
+
+def _early_goal_memory(config: AgentConfig) -> AgentConfig:
+    to_object, to_start, _ = config.map.class_depths
+    return replace(config, map=replace(config.map, class_depths=(to_object, to_start, FARTHEST_SIGHT)))
+
+
+def _centre_approach(config: AgentConfig) -> AgentConfig:
+    receptacle, *others = config.find_receptacle
+    return replace(config, find_receptacle=(CentreApproach(receptacle), *others))
 
 
 def _collision_mapping(config: AgentConfig) -> AgentConfig:
@@ -114,6 +155,11 @@ def _drop_height(config: AgentConfig) -> AgentConfig:
 _IMPROVERS: dict[Improvement, Callable[[AgentConfig], AgentConfig]] = {
     Improvement.CLASS_THRESHOLDS: _class_thresholds,
     Improvement.FLOOR_FILTER: _floor_filter,
+    Improvement.GOAL_OR_FRONTIER: _goal_or_frontier,
+    Improvement.SURROUND_START_RECEPTACLE: _surround_start_receptacle,
+    Improvement.RECEPTACLE_PROBABILITY: _receptacle_probability,
+    Improvement.EARLY_GOAL_MEMORY: _early_goal_memory,
+    Improvement.CENTRE_APPROACH: _centre_approach,
     Improvement.COLLISION_MAPPING: _collision_mapping,
     Improvement.LOOK_AROUND_PICK: _look_around_pick,
     Improvement.VERIFY_PICK: _verify_pick,

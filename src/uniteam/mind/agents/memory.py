@@ -14,6 +14,7 @@ from uniteam.mind.manipulation.skill import Skill
 from uniteam.mind.manipulation.sweep import Load
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.class_role import RoleScores, role_scores
+from uniteam.mind.navigation.commitment import Commitment
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.planner import Plan, Planner
 
@@ -28,6 +29,7 @@ class Memory:
         generator: of every random choice.
         bird_map: what was seen.
         planner: how to drive there.
+        commitment: whether to keep heading there.
         roles: which role a detection plays.
         turns: how many turns the robot has looked around with at first.
         idle_turns: how many turns it has made in a row because nothing was left to head for.
@@ -43,6 +45,7 @@ class Memory:
     generator: np.random.Generator
     bird_map: BirdsEyeMap
     planner: Planner
+    commitment: Commitment
     roles: RoleScores
     turns: int = 0
     idle_turns: int = 0
@@ -63,6 +66,7 @@ class Memory:
             np.random.default_rng(seed),
             BirdsEyeMap(config.map),
             Planner(config.planner),
+            Commitment(config.is_stuck),
             role_scores(instruction),
         )
 

@@ -55,11 +55,13 @@ def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, F
     base = view.observation.base_to_start
     choices, misses = _choices(search, memory)
     with section("planner"):
-        found = plan_first(memory.planner, memory.bird_map, base, [misses.avoided_by(choose) for choose in choices])
+        choices = memory.commitment.choices([misses.avoided_by(choose) for choose in choices])
+        found = plan_first(memory.planner, memory.bird_map, base, choices)
     if found is None:
         return _look_again(memory)
     memory.idle_turns = 0
     goal, plan = memory.goal, memory.plan = found
+    memory.commitment.follow(base, plan)
     finding = Finding.IN_SIGHT if goal.kind is search.target else Finding.NOTHING
     action = plan.action
     if finding is Finding.IN_SIGHT and _is_stuck_before(plan, memory):
@@ -68,6 +70,7 @@ def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, F
         return Step(action, _reason(goal, plan, memory)), finding
     if finding is Finding.IN_SIGHT:
         memory.planner.interrupt()
+        memory.commitment.set_out()
         return None, finding
     return Step(DiscreteAction.TURN_LEFT, f"I have come to the {_words(goal, memory)} and look around."), finding
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from uniteam.geometry import BasePose
 from uniteam.interface import Observation, Segmentation
 from uniteam.mind.mapping.class_role import ClassRole, RoleScores
+from uniteam.mind.mapping.looks import Gaze, look_bits
 from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, Limits, Scratch, View, project
 from uniteam.stretch import ROBOT_HEIGHT
 
@@ -36,7 +37,8 @@ class MapConfig:
             frame of 240 x 320 pixels; they grow with the number of pixels.
         probability_gain: how far the running probability of a class moves to the score of a new sighting.
         probability_decay: the share it loses when the cell is seen again without the class.
-        class_depths: up to which depth each `ClassRole` is mapped (m). HomeRobot maps all to `max_depth`.
+        class_depths: up to which depth each `ClassRole` is mapped (m). HomeRobot maps all to `max_depth`, and keeps
+            them; UniTeam's `early_goal_memory` keeps goal receptacles from as far as depth is measured.
     """
 
     cell_size: float = 0.05
@@ -74,7 +76,7 @@ class MapConfig:
     @property
     def reach(self) -> float:
         """How far from the robot a frame may write (m)."""
-        return 1.5 * max(self.max_depth, self.max_obstacle_height, *self.class_depths)
+        return 1.15 * max(self.max_depth, self.max_obstacle_height, *self.class_depths)
 
 
 class BirdsEyeMap:
@@ -90,6 +92,7 @@ class BirdsEyeMap:
         visited: the robot's axis passed over it.
         been_close: the robot stood within `been_close_radius`.
         collision: a blocked motion left its mark there.
+        looked_from: (H, W) uint8, the sides from which the start receptacle there was looked at, as bits (see `looks`).
         origin: (x, y) in the start frame (m) of the corner of cell [0, 0].
         update_count: how many frames have been brought in.
     """
@@ -109,6 +112,7 @@ class BirdsEyeMap:
         self.obstacle, self.explored, self.visited, self.been_close, self.collision = (
             np.zeros(shape, dtype=np.bool_) for _ in range(5)
         )
+        self.looked_from = np.zeros(shape, dtype=np.uint8)
         self._class_cells = np.zeros((ROLE_COUNT, *shape), dtype=np.bool_)
         self._class_probability = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
         self._class_height = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
@@ -166,6 +170,7 @@ class BirdsEyeMap:
         project(self._view(observation, segmentation, roles), self.config.limits(observation.depth.size),
                 self._scratch, self._channels())  # fmt: skip
         self._mark_robot(base)
+        self._mark_look(base)
         self.update_count += 1
 
     def mark_collision(self, points: NDArray[np.floating]) -> None:
@@ -225,6 +230,16 @@ class BirdsEyeMap:
         ):
             cv2.circle(channel.view(np.uint8), cell[::-1], round(radius / self.cell_size), color=1, thickness=-1)
 
+    def _mark_look(self, base: BasePose) -> None:
+        """Note from which side the start receptacles ahead are looked at."""
+        gaze = Gaze(base.x, base.y, base.heading)
+        reach = round(gaze.range / self.cell_size)
+        row, column = self.to_cell(base.x, base.y)
+        near = slice(max(0, row - reach), row + reach + 1), slice(max(0, column - reach), column + reach + 1)
+        corner = np.array([near[0].start, near[1].start])
+        cells = corner + np.argwhere(self._class_cells[ClassRole.START_RECEPTACLE][near])
+        self.looked_from[cells[:, 0], cells[:, 1]] |= look_bits(self.to_points(cells), gaze)
+
     def _cover(self, base: BasePose) -> None:
         """Grow until everything in reach of the robot lies on the map."""
         reach = round(self.config.reach / self.cell_size)
@@ -245,6 +260,7 @@ class BirdsEyeMap:
             np.pad(channel, pads)
             for channel in (self.obstacle, self.explored, self.visited, self.been_close, self.collision)
         )
+        self.looked_from = np.pad(self.looked_from, pads)
         self._class_cells = np.pad(self._class_cells, ((0, 0), *pads))
         self._class_probability = np.pad(self._class_probability, ((0, 0), *pads))
         self._class_height = np.pad(self._class_height, ((0, 0), *pads))

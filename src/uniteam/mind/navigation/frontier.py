@@ -37,10 +37,10 @@ def find_frontiers(bird_map: BirdsEyeMap, base: BasePose, config: FrontierConfig
     )
     blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), disc(config.dilation_cells))
     edge = (cv2.dilate(explored, disc(1)) > explored) & (blocked == 0)
-    return window.paste(_large_groups(edge, config.min_cells), bird_map.shape)
+    return window.paste(large_groups(edge, config.min_cells), bird_map.shape)
 
 
-def _large_groups(cells: Mask, min_cells: int) -> Mask:
+def large_groups(cells: Mask, min_cells: int) -> Mask:
     """Return the cells whose 8-connected group has at least `min_cells`."""
     _, labels, stats, _ = cv2.connectedComponentsWithStats(cells.view(np.uint8), connectivity=8)
     large = stats[:, cv2.CC_STAT_AREA] >= min_cells

@@ -1,6 +1,7 @@
 """The part of the map that is worth searching: what is known, with a margin of the unknown around it."""
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -11,6 +12,8 @@ from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask
 
 MARGIN_CELLS = 20
 
+_Scalar = TypeVar("_Scalar", bound=np.generic)
+
 
 @dataclass(frozen=True)
 class Window:
@@ -19,7 +22,7 @@ class Window:
     low: Cell
     high: Cell
 
-    def cut(self, channel: Mask) -> Mask:
+    def cut(self, channel: NDArray[_Scalar]) -> NDArray[_Scalar]:
         """Return the window's part of an (H, W) channel as a contiguous copy."""
         return channel[self.low[0] : self.high[0], self.low[1] : self.high[1]].copy()
 

@@ -1,0 +1,47 @@
+"""From which sides the receptacles have been looked at."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+SIDES = 4
+"""East, north, west and south of a cell, a quarter of the circle each: bits 0 to 3 of a look."""
+
+
+class Gaze(NamedTuple):
+    """Where the robot stands and looks, in the frame of the points.
+
+    Attributes:
+        x, y, heading: the base (m, m, rad).
+        range: what is farther (m) is not looked at.
+        half_width: what is farther off the heading (rad) is not looked at.
+    """
+
+    x: float
+    y: float
+    heading: float
+    range: float = 2.0
+    half_width: float = math.radians(30.0)
+
+
+def look_bits(points: NDArray[np.float64], gaze: Gaze) -> NDArray[np.uint8]:
+    """Return (K,) the sides from which a gaze looks at (K, 2) points; 0 for points outside of it.
+
+    Near the border between two sides a look counts for both, so that standing a little off the place that was asked for
+    does not leave a side open.
+    """
+    away = np.array([gaze.x, gaze.y]) - points
+    bearing = np.arctan2(-away[:, 1], -away[:, 0]) - gaze.heading
+    off = np.abs((bearing + math.pi) % (2 * math.pi) - math.pi)
+    seen = (np.hypot(away[:, 0], away[:, 1]) <= gaze.range) & (off <= gaze.half_width)
+    angle = np.arctan2(away[:, 1], away[:, 0])
+    bits = side_bit(angle - gaze.half_width) | side_bit(angle) | side_bit(angle + gaze.half_width)
+    return np.where(seen, bits, 0).astype(np.uint8)
+
+
+def side_bit(angle: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """Return the bit of the side that lies in a direction (rad, from the cell)."""
+    quarter = np.floor((angle + math.pi / SIDES) / (2 * math.pi / SIDES)).astype(np.int64) % SIDES
+    return (1 << quarter).astype(np.uint8)
