@@ -29,6 +29,22 @@ class Plane:
     normal: Vector
 
 
+def _box_template() -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
+    """Return the 24 corners of a unit box's six faces, their normals, and the faces' triangles."""
+    corners, normals, triangles = [], [], []
+    for axis in range(3):
+        for end in (0.0, 1.0):
+            for u, v in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)):
+                corners.append(np.roll([end, u, v], axis))
+                normals.append(np.roll([2.0 * end - 1.0, 0.0, 0.0], axis))
+            first = len(corners) - 4
+            triangles += [[first, first + 1, first + 2], [first, first + 2, first + 3]]
+    return np.array(corners), np.array(normals), np.array(triangles)
+
+
+_BOX_CORNERS, _BOX_NORMALS, _BOX_TRIANGLES = _box_template()
+
+
 class MeshBuilder:
     """Gathers panels of several surfaces into one mesh."""
 
@@ -60,19 +76,10 @@ class MeshBuilder:
         self._append(points.reshape(-1, 3), plane.normal, np.stack([grid_u, -grid_v], axis=-1), triangles, surface)
 
     def add_box(self, low: Vector, high: Vector, frame: NDArray[np.float64], surface: Surface) -> None:
-        """Add an axis-aligned box of a frame; `frame` (4, 4) takes it to the world."""
-        size = np.asarray(high, dtype=np.float64) - low
-        for axis in range(3):
-            right, up = np.eye(3)[(axis + 1) % 3], np.eye(3)[(axis + 2) % 3]
-            for end in (0.0, 1.0):
-                origin = np.array(low, dtype=np.float64)
-                origin[axis] += end * size[axis]
-                rotation = frame[:3, :3]
-                plane = Plane(
-                    rotation @ origin + frame[:3, 3], rotation @ right, rotation @ up,
-                    rotation @ np.eye(3)[axis] * (2.0 * end - 1.0),
-                )  # fmt: skip
-                self.add_panel(plane, ((0.0, size[(axis + 1) % 3]), (0.0, size[(axis + 2) % 3])), surface)
+        """Add an axis-aligned box of a frame in one colour; `frame` (4, 4) takes it to the world."""
+        rotation = frame[:3, :3]
+        points = (low + _BOX_CORNERS * (np.asarray(high) - low)) @ rotation.T + frame[:3, 3]
+        self._append(points, _BOX_NORMALS @ rotation.T, np.zeros((len(points), 2)), _BOX_TRIANGLES, surface)
 
     def build(self) -> Mesh:
         """Return everything added as one mesh."""

@@ -20,6 +20,10 @@ from uniteam.world.simulation.texture_atlas import AtlasBuilder, MipCache
 Transform = NDArray[np.float64]
 
 
+_stage_mips = MipCache()
+"""The few textures of floors and walls are prepared once a process, as the pack's models are."""
+
+
 @dataclass(frozen=True)
 class _Part:
     """One piece of a scene before it is packed; `room` is None where it takes the light of where it stands."""
@@ -136,8 +140,9 @@ class Scene:
 
 
 def _stage_entries(stage: tuple[StagePart, ...]) -> list[_Part]:
-    mip_chain = MipCache()
-    return [_Part(p.name, make_drawable(p.mesh, mip_chain), -1, is_stage=True, is_glowing=p.is_glowing) for p in stage]
+    return [
+        _Part(p.name, make_drawable(p.mesh, _stage_mips), -1, is_stage=True, is_glowing=p.is_glowing) for p in stage
+    ]
 
 
 def _instance_entries(home: Home) -> list[_Part]:

@@ -2,8 +2,10 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from uniteam.world.assets.mesh import Material, Mesh
 from uniteam.world.assets.textures import load_texture, texture_size
@@ -68,8 +70,13 @@ def _room_finder(stage: Stage) -> Callable[[float, float], int | None]:
     return lambda x, y: room_at(stage, x, y)
 
 
+@lru_cache(maxsize=64)
+def _texture(name: str) -> NDArray[np.uint8]:
+    return load_texture(name)
+
+
 def _wall_surface(room: Room) -> Surface:
-    return Surface(Material(room.wall_tint, load_texture(room.wall_texture)), texture_size(room.wall_texture))
+    return Surface(Material(room.wall_tint, _texture(room.wall_texture)), texture_size(room.wall_texture))
 
 
 def _horizontal(room: Room, height: float, surface: Surface, up: float) -> Mesh:
@@ -81,7 +88,7 @@ def _horizontal(room: Room, height: float, surface: Surface, up: float) -> Mesh:
 
 
 def _floor(index: int, room: Room) -> StagePart:
-    material = Material((1.0, 1.0, 1.0), load_texture(room.floor_texture))
+    material = Material((1.0, 1.0, 1.0), _texture(room.floor_texture))
     surface = Surface(material, texture_size(room.floor_texture))
     return StagePart("floor", _horizontal(room, 0.0, surface, 1.0), index)
 
