@@ -13,11 +13,13 @@ SECTORS = 8
 def hollow_hulls(geometry: Geometry, wall: float = 0.006) -> list[Shape]:
     """Return a floor and eight wall segments of a bowl, cup, basket or pot about the vertical through its middle.
 
-    The middle is that of the rim, so that a handle does not pull it aside; `wall` is the thickness in m.
+    The middle is that of the foot, which no handle pulls aside; `wall` is the thickness in m.
     """
     samples = sample_surface(geometry.corners, 0.004)
     top = samples.points[:, 2].max()
-    middle = _rim_centre(samples.points[samples.points[:, 2] > 0.85 * top])
+    foot = samples.points[samples.points[:, 2] < 0.2 * top, :2]
+    middle = (foot.min(0) + foot.max(0)) / 2
+    top = _rim_height(samples.points, middle, top)
     floor = _floor_height(samples, middle, top)
     heights = np.linspace(floor, top, 3)
     outer = np.array([_outer_radii(samples.points, middle, h, top / 6 + 0.004) for h in heights])
@@ -33,15 +35,13 @@ def hollow_hulls(geometry: Geometry, wall: float = 0.006) -> list[Shape]:
     return shapes
 
 
-def _rim_centre(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the middle of a rim, leaving out what juts far beyond it, such as a handle."""
-    middle = np.median(points[:, :2], axis=0)
-    near = points
-    for _ in range(4):
-        radius = np.linalg.norm(near[:, :2] - middle, axis=1)
-        near = near[radius < 1.25 * np.median(radius)]
-        middle = (np.quantile(near[:, :2], 0.02, axis=0) + np.quantile(near[:, :2], 0.98, axis=0)) / 2
-    return np.asarray(middle)
+def _rim_height(points: NDArray[np.float64], middle: NDArray[np.float64], top: float) -> float:
+    """Return the greatest height at which the vessel goes nearly all the way round: a handle may rise above it."""
+    offset = points[:, :2] - middle
+    sector = np.floor((np.arctan2(offset[:, 1], offset[:, 0]) / (2 * np.pi) + 0.5) * SECTORS).astype(int) % SECTORS
+    levels = np.arange(top, 0.3 * top, -0.001)
+    around = (len(np.unique(sector[np.abs(points[:, 2] - level) < 0.004])) for level in levels)
+    return float(next((level for level, count in zip(levels, around, strict=True) if count >= SECTORS - 2), top))
 
 
 def _floor_height(samples: SurfaceSamples, middle: NDArray[np.float64], top: float) -> float:
@@ -61,13 +61,11 @@ def _outer_radii(
     near = near if len(near) > 20 else points
     offset = near[:, :2] - middle
     angle, radius = np.arctan2(offset[:, 1], offset[:, 0]), np.linalg.norm(offset, axis=1)
-    usual = float(np.quantile(radius, 0.6)) * 1.25
-    radii = []
-    for k in range(SECTORS):
-        turn = np.abs(np.angle(np.exp(1j * (angle - 2 * np.pi * k / SECTORS))))
-        inside = radius[(turn < np.pi / SECTORS) & (radius < usual)]
-        radii.append(float(np.quantile(inside, 0.95)) if len(inside) else usual / 1.25)
-    return np.array(radii)
+    turns = [np.abs(np.angle(np.exp(1j * (angle - 2 * np.pi * k / SECTORS)))) for k in range(SECTORS)]
+    sectors = [radius[turn < np.pi / SECTORS] for turn in turns]
+    usual = float(np.median([np.median(sector) for sector in sectors if len(sector)]))
+    inside = [sector[sector < 1.2 * usual] for sector in sectors]
+    return np.array([np.quantile(sector, 0.95) if len(sector) else usual for sector in inside])
 
 
 def _ring(middle: NDArray[np.float64], radii: NDArray[np.float64], height: float) -> NDArray[np.float64]:

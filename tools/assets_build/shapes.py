@@ -22,10 +22,19 @@ def hull(points: NDArray[np.floating], limit: int = 32) -> Shape:
 
 
 def with_flat_bottom(points: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Return the points of a body with those just above the floor put on it, so that it rests rather than rolls."""
-    flat = np.array(points, dtype=float)
-    flat[flat[:, 2] < min(0.05 * flat[:, 2].max(), 0.006), 2] = 0.0
-    return flat
+    """Return a body's convex hull cut just above the floor, the cut put on the floor: it rests rather than rolls."""
+    points = np.array(points, dtype=float)
+    height = min(0.06 * points[:, 2].max(), 0.006)
+    try:
+        points = points[ConvexHull(points).vertices]
+    except QhullError:
+        return points
+    below, above = points[points[:, 2] < height], points[points[:, 2] >= height]
+    start, end = np.repeat(below, len(above), axis=0), np.tile(above, (len(below), 1))
+    share = (height - start[:, 2]) / (end[:, 2] - start[:, 2])
+    cut = start + share[:, None] * (end - start)
+    cut[:, 2] = 0.0
+    return np.concatenate([above, cut])
 
 
 def _rounded(values: NDArray[np.float64]) -> list[float]:
