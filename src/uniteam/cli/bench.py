@@ -3,7 +3,7 @@
 import json
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import tyro
 from rich.console import Console
@@ -13,7 +13,9 @@ from rich.table import Table
 import uniteam
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.agents import AgentSpec
-from uniteam.evaluation.bench import BenchReport, measure
+from uniteam.evaluation.bench import BenchReport, compare_cameras, measure
+from uniteam.world.simulation.reference import OpenGLMissingError
+from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split
 
 SPLIT, AGENT, PERCEPTION = "minival", "uniteam", "truth"
@@ -37,10 +39,29 @@ def bench(out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None
         bar = progress.add_task("playing", total=episodes)
         report = measure(split, AgentSpec(AGENT, PERCEPTION), episodes, lambda: progress.advance(bar))
     console.print(_table(report))
+    camera = _compare(split, console)
     if out is not None:
         out.parent.mkdir(parents=True, exist_ok=True)
-        out.write_text(json.dumps({**asdict(report), "version": uniteam.__version__}, indent=2) + "\n")
+        out.write_text(json.dumps({**asdict(report), **camera, "version": uniteam.__version__}, indent=2) + "\n")
         console.print(f"Written to {out}.")
+
+
+def _compare(split: Split, console: Console) -> dict[str, Any]:
+    """Print how much faster the camera is than MuJoCo's renderer, or why that is not known; return it as JSON data."""
+    try:
+        comparison = compare_cameras(split)
+    except OpenGLMissingError as error:
+        console.print(f"The camera was not compared with MuJoCo's renderer: {error}.", highlight=False)
+        return {"camera_speedup": None, "camera_comparison_missing": str(error)}
+    console.print(
+        f"Camera against mujoco.Renderer, {comparison.view_count} views, RGB, depth and instances: "
+        f"{comparison.milliseconds:.1f} ms against {comparison.mujoco_milliseconds:.1f} ms, "
+        f"[bold]{comparison.camera_speedup:.1f} times faster[/]; depth agrees to "
+        f"{comparison.depth_median_error * 1000:.3f} mm (median), instances to "
+        f"{comparison.instance_agreement * 100:.2f} %.",
+        highlight=False,
+    )
+    return {"camera_speedup": comparison.camera_speedup, "camera_comparison": asdict(comparison)}
 
 
 def _table(report: BenchReport) -> Table:

@@ -2,8 +2,8 @@
 
 import os
 import platform
+import subprocess
 import sys
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
@@ -111,16 +111,19 @@ def _camera() -> Finding:
 
 def _opengl() -> Finding:
     """Nothing but the comparison with MuJoCo's renderer needs OpenGL, so its absence is no fault."""
-    import mujoco
+    from uniteam.world.simulation.reference import BACKENDS
 
-    try:
-        with warnings.catch_warnings(action="ignore"):
-            mujoco.Renderer(mujoco.MjModel.from_xml_string("<mujoco/>"), 8, 8).close()
-    except Exception:
-        return Finding(
-            "absent, and not needed: only 'uniteam bench' compares with MuJoCo's renderer where it is present"
-        )
-    return Finding("present: 'uniteam bench' compares the camera with MuJoCo's renderer")
+    for backend in BACKENDS:
+        if _renders(backend):
+            return Finding(f"present ({backend}): 'uniteam bench' compares the camera with MuJoCo's")
+    return Finding("absent, and not needed: where it is, 'uniteam bench' compares the camera with MuJoCo's")
+
+
+def _renders(backend: str) -> bool:
+    """Return whether MuJoCo renders with an OpenGL backend, which it reads when it is imported: in a new process."""
+    code = "import mujoco; mujoco.Renderer(mujoco.MjModel.from_xml_string('<mujoco/>'), 8, 8).close()"
+    environment = {**os.environ, "MUJOCO_GL": backend}
+    return subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True).returncode == 0
 
 
 CHECKS: dict[str, Callable[[], Finding]] = {

@@ -10,10 +10,15 @@ import cv2
 from uniteam.evaluation.agents import AgentSpec
 from uniteam.evaluation.play import peak_memory, play_episode
 from uniteam.evaluation.warm_up import warm_up
+from uniteam.interface import DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.timing import stopwatch
+from uniteam.world.simulation.reference import Comparison, compare_with_mujoco
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Split
+
+VIEWS = 12
+"""Views of one home, all around the robot, to compare the camera on."""
 
 SECTIONS = ("camera", "physics", "perception", "map", "planner")
 REST = "rest"
@@ -103,3 +108,20 @@ def _report(timings: Sequence[EpisodeTiming], warm: float) -> BenchReport:
         warm_up_seconds=warm,
         peak_memory_mb=peak_memory(),
     )
+
+
+def compare_cameras(split: Split) -> Comparison:
+    """Compare our camera with MuJoCo's renderer on views from where the first episode starts.
+
+    Raises:
+        OpenGLMissingError: MuJoCo's renderer does not work here.
+    """
+    episode = split.episodes[0]
+    home = split.homes[episode.home]
+    environment = Environment(home, episode)
+    environment.reset()
+    poses = []
+    for _ in range(VIEWS):
+        environment.step(DiscreteAction.TURN_LEFT)
+        poses.append(environment.simulator.camera_to_world())
+    return compare_with_mujoco(home, HEAD_CAMERA_HALF, poses)
