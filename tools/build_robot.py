@@ -106,9 +106,9 @@ def main() -> None:
     (ROBOT_DIRECTORY / "ATTRIBUTION.md").write_text(
         "# Stretch RE2\n\n"
         f"The meshes in this folder are made from those of hello-robot-stretch-urdf {package.version} (model RE2V0,\n"
-        "tool `stretch_dex_wrist`): Copyright (c) 2021-2024 Hello Robot Inc., all rights reserved, under the Clear BSD\n"
-        "License, whose text is in `LICENSE.md` beside this file. Changes: links that move as one are merged, triangles\n"
-        "are reduced, colours are ours.\n",
+        "tool `stretch_dex_wrist`): Copyright (c) 2021-2024 Hello Robot Inc., all rights reserved, under the Clear\n"
+        "BSD License, whose text is in `LICENSE.md` beside this file. Changes: links that move as one are merged,\n"
+        "triangles are reduced, colours are ours.\n",
         encoding="utf-8",
     )
 
