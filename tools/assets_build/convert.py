@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assets_build.drawn_furniture import Drawn
+from assets_build.drawn import Drawn
 from assets_build.geometry import Geometry, decimate, split_by_crease, to_model_frame, weld
 from assets_build.glb import OutputMaterial, write_glb
 from assets_build.hollow import hollow_hulls

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assets_build import finishes as f
-from assets_build.drawn_furniture import Drawn
+from assets_build.drawn import Drawn
 from assets_build.images import encode_jpeg
 from assets_build.primitives import Color, Drawing, Finish
 

@@ -75,10 +75,11 @@ def _category_table(models: Sequence[Model], catalogue: Catalogue) -> Table:
 
 def _model_table(models: Sequence[Model]) -> Table:
     table = Table(title=f"{len(models)} models of {models[0].category}")
-    for heading in ("id", "name", "size (cm)", "mass (kg)", "pool", "shapes", "surfaces at (cm)", "creator", "licence"):
+    table.add_column("id", no_wrap=True)
+    for heading in ("size (cm)", "mass (kg)", "pool", "surfaces at (cm)"):
         table.add_column(heading)
     for m in models:
-        size = " x ".join(f"{100 * s:.0f}" for s in m.size)
+        size = "x".join(f"{100 * s:.0f}" for s in m.size)
         heights = " ".join(f"{100 * h:.0f}" for h in sorted({round(s.height, 2) for s in m.surfaces}))
-        table.add_row(m.id, m.name, size, f"{m.mass:g}", m.pool, str(len(m.shapes)), heights, m.creator, m.licence)
+        table.add_row(m.id, size, f"{m.mass:.3g}", m.pool, heights)
     return table
