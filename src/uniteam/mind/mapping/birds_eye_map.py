@@ -159,9 +159,14 @@ class BirdsEyeMap:
         """Return the (x, y) in the start frame (m) of a cell's centre."""
         return self.origin[0] + (column + 0.5) * self.cell_size, self.origin[1] + (row + 0.5) * self.cell_size
 
-    def to_points(self, cells: NDArray[np.integer]) -> NDArray[np.float64]:
+    def to_points(self, cells: NDArray[np.number]) -> NDArray[np.float64]:
         """Return the (K, 2) centres (x, y) in the start frame (m) of (K, 2) cells (row, column)."""
         return np.asarray(self.origin) + (np.asarray(cells).reshape(-1, 2)[:, ::-1] + 0.5) * self.cell_size
+
+    def points_of(self, mask: Mask) -> NDArray[np.float64]:
+        """Return the (K, 2) centres (x, y) in the start frame (m) of a mask's cells, row by row."""
+        found = cv2.findNonZero(np.ascontiguousarray(mask).view(np.uint8))
+        return self.to_points(np.zeros((0, 2)) if found is None else found.reshape(-1, 2)[:, ::-1])
 
     def update(self, observation: Observation, segmentation: Segmentation, roles: RoleScores) -> None:
         """Bring a frame into the map, and the robot's own place."""

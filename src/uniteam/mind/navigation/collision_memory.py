@@ -35,7 +35,7 @@ class CollisionMemory:
 
     Attributes:
         write: writes a blocked motion into the map.
-        replan: called when no path was found, before the next attempt.
+        replan: called when there is a path only without the collision cells or with a smaller dilation.
     """
 
     write: Callable[[BirdsEyeMap, BlockedMotion], None]
@@ -51,7 +51,7 @@ def write_patch_ahead(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
 
 
 def forget_collisions(bird_map: BirdsEyeMap) -> None:
-    """Clear the collision cells, as HomeRobot does whenever it finds no path."""
+    """Clear the collision cells, as HomeRobot does when it finds no path; here only when that brings a path about."""
     bird_map.clear_collisions()
 
 

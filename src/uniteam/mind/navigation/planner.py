@@ -5,7 +5,7 @@ goal five cells ahead, a turn or a forward motion towards it, a stop within 0.5 
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import cv2
@@ -19,7 +19,7 @@ from uniteam.mind.navigation.collision_memory import PATCH_UNTIL_REPLAN, Blocked
 from uniteam.mind.navigation.distance_field import Reach, costs_to_metres, nearest_target, trace_path
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.short_term_goal import find_short_term_goal
-from uniteam.mind.navigation.traversible import traversible
+from uniteam.mind.navigation.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import Window, window_around
 
 TURN = math.radians(30.0)
@@ -150,7 +150,7 @@ class Planner:
         self._motion = None
         if action is DiscreteAction.MOVE_FORWARD and short_term_goal is not None:
             self._motion = _Motion(base, short_term_goal, bird_map.update_count)
-        goal_points = bird_map.to_points(np.argwhere(goal.cells))
+        goal_points = bird_map.points_of(goal.cells)
         return Plan(action, action is None, route.reachable, distance, short_term_goal, path, goal_points)
 
     def _notice_collision(self, bird_map: BirdsEyeMap, base: BasePose) -> None:
@@ -169,22 +169,30 @@ class Planner:
         window = window_around(bird_map, base, goal.cells)
         robot = window.inside(bird_map.to_cell(base.x, base.y))
         to_goal = _straight_distance(window.cut(goal.cells), bird_map.cell_size)
-        for dilation in self._dilations(bird_map):
+        careful = traversible(bird_map, window, robot, self.config.dilations[0]) & ~window.cut(bird_map.collision)
+        careful[robot] = True
+        reach = self._search(careful, robot, to_goal, goal)
+        if reach is not None:
+            return _Route(window, careful, reach, True)
+        for dilation in self.config.dilations:
             free = traversible(bird_map, window, robot, dilation)
-            for distance in self._distances(goal):
-                targets = to_goal <= distance
-                if targets[robot] or (targets & free).any():
-                    reach = nearest_target(free, robot, targets)
-                    if reach.target != (-1, -1):
-                        return _Route(window, free, reach, True)
-        reach = nearest_target(free, robot, np.zeros_like(free))
-        return _Route(window, free, reach._replace(target=_nearest_reached(reach, to_goal, robot)), False)
+            reach = self._search(free, robot, to_goal, goal)
+            if reach is not None:
+                self.config.collisions.replan(bird_map)
+                return _Route(window, free, reach, True)
+        nearest = np.where(connected_to(robot, careful), to_goal, np.inf)
+        targets = nearest == nearest.min() if np.isfinite(nearest[robot]) else nearest < 0
+        targets[robot] |= not targets.any()
+        return _Route(window, careful, nearest_target(careful, robot, targets), False)
 
-    def _dilations(self, bird_map: BirdsEyeMap) -> Iterator[int]:
-        """Yield the dilations to try; after the first, collisions may be forgotten, and it is tried again."""
-        yield self.config.dilations[0]
-        self.config.collisions.replan(bird_map)
-        yield from self.config.dilations
+    def _search(self, free: Mask, robot: Cell, to_goal: NDArray[np.float32], goal: Goal) -> Reach | None:
+        """Return the search that found the nearest place to stand, or None."""
+        known = connected_to(robot, free)
+        for distance in self._distances(goal):
+            targets = (to_goal <= distance) & known
+            if targets.any():
+                return nearest_target(free, robot, targets)
+        return None
 
     def _distances(self, goal: Goal) -> tuple[float, ...]:
         """Return how near to the goal is near enough, the asked for first."""
@@ -194,7 +202,7 @@ class Planner:
         """Return the turn that is missing to face the goal's nearest cell, or None."""
         if goal.face is None or not goal.face.any():
             return None
-        points = bird_map.to_points(np.argwhere(goal.face))
+        points = bird_map.points_of(goal.face)
         nearest = points[np.argmin(np.hypot(points[:, 0] - base.x, points[:, 1] - base.y))]
         return self.config.face(base.bearing_to(*nearest))
 
@@ -204,15 +212,6 @@ def _straight_distance(cells: Mask, cell_size: float) -> NDArray[np.float32]:
     if not cells.any():
         return np.full(cells.shape, np.inf, dtype=np.float32)
     return cv2.distanceTransform((~cells).view(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5) * np.float32(cell_size)
-
-
-def _nearest_reached(reach: Reach, to_goal: NDArray[np.float32], robot: Cell) -> Cell:
-    """Return the reached cell that is nearest to the goal in a straight line; the robot's own if there is no goal."""
-    score = np.where(np.isfinite(costs_to_metres(reach.costs, 1.0)), to_goal, np.inf)
-    if not np.isfinite(score).any():
-        return robot
-    row, column = np.unravel_index(int(np.argmin(score)), score.shape)
-    return int(row), int(column)
 
 
 def _cells_in(route: _Route) -> NDArray[np.int32]:

@@ -10,9 +10,9 @@ OWN_CELLS = 3
 
 
 def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: int) -> Mask:
-    """Return the window's free cells: not within `dilation` cells of an obstacle and no collision there, or visited.
+    """Return the window's free cells: not within `dilation` cells of an obstacle, or visited.
 
-    The robot's own disc is free but for obstacles and collisions themselves: it stands there.
+    The robot's own disc is free but for obstacles themselves: it stands there. Collision cells are not looked at.
 
     Args:
         bird_map: the map.
@@ -23,6 +23,15 @@ def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: in
     obstacle = window.cut(bird_map.obstacle)
     blocked = cv2.dilate(obstacle.view(np.uint8), disc(dilation)).view(np.bool_)
     own = disc_mask(obstacle.shape, robot, OWN_CELLS) & ~obstacle
-    free = (~blocked | own) & ~window.cut(bird_map.collision) | window.cut(bird_map.visited)
+    free = ~blocked | own | window.cut(bird_map.visited)
     free[robot] = True
     return free
+
+
+def connected_to(robot: Cell, free: Mask) -> Mask:
+    """Return the free cells to which there is a path from the robot.
+
+    The steps of `distance_field` connect what is connected through the sides of cells, so no search is needed.
+    """
+    _, labels = cv2.connectedComponents(free.view(np.uint8), connectivity=4)
+    return labels == labels[robot]

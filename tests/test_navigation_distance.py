@@ -1,0 +1,134 @@
+"""Distance fields against fast marching, and paths that keep between obstacles."""
+
+import numpy as np
+import pytest
+import skfmm
+
+from uniteam.mind.mapping.birds_eye_map import Mask, disc_mask
+from uniteam.mind.navigation.distance_field import COST_PER_CELL, distance_field, nearest_target, trace_path
+from uniteam.mind.navigation.short_term_goal import find_short_term_goal, line_is_free
+from uniteam.mind.navigation.traversible import connected_to
+
+CELL = 0.05
+
+
+def cluttered(seed: int, size: int = 240) -> Mask:
+    """Return free cells: rooms with doors, and discs strewn about."""
+    free = np.ones((size, size), dtype=np.bool_)
+    free[80, :] = free[:, 120] = free[160, 60:] = False
+    free[80, 30:48] = free[80, 180:200] = free[40:58, 120] = free[200:220, 120] = free[110:126, 120] = True
+    generator = np.random.default_rng(seed)
+    for row, column in generator.integers(10, size - 10, (25, 2)):
+        free &= ~disc_mask(free.shape, (row, column), int(generator.integers(2, 8)))
+    return free
+
+
+def fast_marching(free: Mask, source: Mask) -> np.ndarray:
+    """Return distances by fast marching on cells a third as large: behind corners it converges but slowly."""
+    fine_free, fine_source = (np.kron(mask, np.ones((3, 3), dtype=np.bool_)) for mask in (free, source))
+    phi = np.ma.MaskedArray(np.where(fine_source, -1.0, 1.0), ~fine_free)
+    return skfmm.distance(phi, dx=CELL / 3, order=2).filled(np.inf)[1::3, 1::3]
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_distances_agree_with_fast_marching_among_obstacles(seed: int) -> None:
+    free = cluttered(seed)
+    source = disc_mask(free.shape, (20, 20), 3)
+    free |= source
+    reference = fast_marching(free, source)
+    ours = distance_field(free, source, CELL)
+    reached = free & np.isfinite(reference) & np.isfinite(ours)
+    assert reached.sum() > 0.9 * free.sum()
+    far = reached & (reference > 1.0)
+    # The reference is measured from the rim of the source, half a cell from the centre of its last cell.
+    error = np.abs(ours[far] - CELL / 2 - reference[far]) / reference[far]
+    assert error.mean() < 0.01
+    assert error.max() < 0.04
+
+
+def test_in_the_open_distances_are_those_of_a_straight_line() -> None:
+    free = np.ones((201, 201), dtype=np.bool_)
+    source = np.zeros_like(free)
+    source[100, 100] = True
+    rows, columns = np.indices(free.shape) - 100
+    straight = np.hypot(rows, columns)[straight_mask(rows, columns)] * CELL
+    error = distance_field(free, source, CELL)[straight_mask(rows, columns)] / straight - 1.0
+    assert np.abs(error).mean() < 0.01
+    assert np.abs(error).max() < 0.025
+
+
+def straight_mask(rows: np.ndarray, columns: np.ndarray) -> Mask:
+    return np.hypot(rows, columns) > 20
+
+
+def test_what_walls_shut_off_is_infinitely_far() -> None:
+    free = np.ones((40, 40), dtype=np.bool_)
+    free[:, 20] = False
+    source = np.zeros_like(free)
+    source[5, 5] = True
+    field = distance_field(free, source, CELL)
+    assert np.isfinite(field[:, :20]).all()
+    assert np.isinf(field[:, 20:]).all()
+
+
+def test_no_path_slips_through_a_diagonal_wall() -> None:
+    free = ~np.eye(40, dtype=np.bool_)
+    source = np.zeros_like(free)
+    source[30, 5] = True
+    field = distance_field(free, source, CELL)
+    assert np.isinf(field[5, 30])
+
+
+def test_several_sources_give_the_nearest_ones_distance() -> None:
+    free = cluttered(3)
+    a, b = np.zeros_like(free), np.zeros_like(free)
+    a[20, 20] = b[200, 200] = True
+    both = distance_field(free, a | b, CELL)
+    assert (both == np.minimum(distance_field(free, a, CELL), distance_field(free, b, CELL))).all()
+
+
+def test_a_search_stops_at_the_nearest_target_with_the_same_cost_as_the_whole_field() -> None:
+    free = cluttered(4)
+    targets = np.zeros_like(free)
+    targets[[100, 150, 220], [60, 200, 30]] = True
+    targets &= free
+    reach = nearest_target(free, (20, 20), targets)
+    source = np.zeros_like(free)
+    source[20, 20] = True
+    field = distance_field(free, source, CELL)
+    assert reach.costs[reach.target] * CELL / COST_PER_CELL == pytest.approx(field[targets].min(), rel=1e-5)
+    assert (reach.costs == 1 << 30).sum() > (~np.isfinite(field)).sum()
+
+
+def test_a_path_keeps_to_free_cells_from_start_to_target() -> None:
+    free = cluttered(5)
+    targets = np.zeros_like(free)
+    targets[disc_mask(free.shape, (225, 225), 4)] = True
+    reach = nearest_target(free, (20, 20), targets & free)
+    path = trace_path(free, reach, reach.target)
+    assert tuple(path[0]) == (20, 20)
+    assert tuple(path[-1]) == reach.target
+    assert free[path[:, 0], path[:, 1]].all()
+    assert np.abs(np.diff(path, axis=0)).max() <= 2
+
+
+def test_the_search_reaches_just_what_the_sides_of_cells_connect() -> None:
+    free = np.random.default_rng(0).random((120, 120)) > 0.38
+    free[60, 60] = True
+    source = np.zeros_like(free)
+    source[60, 60] = True
+    assert (np.isfinite(distance_field(free, source, CELL)) == connected_to((60, 60), free)).all()
+
+
+def test_the_short_term_goal_looks_ahead_and_not_through_walls() -> None:
+    free = np.ones((60, 60), dtype=np.bool_)
+    free[30, :40] = False
+    targets = np.zeros_like(free)
+    targets[40, 5] = True
+    reach = nearest_target(free, (10, 5), targets)
+    path = trace_path(free, reach, reach.target)
+    ahead = np.array(find_short_term_goal(free, path, 5))
+    assert 4.0 < np.hypot(*(ahead - (10, 5))) < 6.0
+    assert line_is_free(free, path[0], ahead)
+    assert ahead[1] > 5
+    assert not line_is_free(free, path[0], path[-1])
