@@ -61,7 +61,7 @@ class AgentConfig:
         """Return this configuration with some of UniTeam's improvements, in the order in which they are defined."""
         config = self
         for improvement in Improvement:
-            if improvement in improvements and improvement in _IMPROVERS:
+            if improvement in improvements:
                 config = _IMPROVERS[improvement](config)
         return config
 
