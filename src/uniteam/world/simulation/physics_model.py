@@ -21,7 +21,7 @@ WALL = "wall"
 ARM = "arm"
 
 _FRICTION = (0.9, 0.01, 0.002)
-_SLEEP_SPEED = 1e-3
+_SLEEP_SPEED = 3e-3
 _THINNEST = 1e-3
 _NO_ROTATION = np.array([1.0, 0.0, 0.0, 0.0])
 

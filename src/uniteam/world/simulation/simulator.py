@@ -146,15 +146,23 @@ class Simulator:
             action: what to do.
             target_category: the class of objects that the gripper grasps.
         """
+        before = self._state
+        events = self._do(action, target_category)
+        with section("physics"):
+            if self._state is before:
+                events = _joined(events, self._touch())
+            self.physics.advance(STEP_SECONDS)
+        self._frame = None
+        return events
+
+    def _do(self, action: Action, target_category: str) -> StepEvents:
         if action is DiscreteAction.SNAP_OBJECT:
-            grasped = self._grasp(target_category)
-            return self._finish(StepEvents(grasped=grasped))
+            return StepEvents(grasped=self._grasp(target_category))
         if isinstance(action, DiscreteAction):
-            return self._finish(self._handlers[action]())
+            return self._handlers[action]()
         if isinstance(action, BaseDisplacement):
-            return self._finish(self._displace(admissible(action)))
-        events = self._displace(admissible(action.base))
-        return self._finish(_joined(events, self._pose(self.joints + action.delta)))
+            return self._displace(admissible(action))
+        return _joined(self._displace(admissible(action.base)), self._pose(self.joints + action.delta))
 
     def _discrete_handlers(self) -> dict[DiscreteAction, Callable[[], StepEvents]]:
         """Return what each discrete action does, but for the grasp, which needs its target."""
@@ -207,13 +215,10 @@ class Simulator:
         self._state = end
         return StepEvents(scene_collision=hit is not None, hit=hit)
 
-    def _finish(self, events: StepEvents) -> StepEvents:
-        """Count what the robot touches where it now stands, and let time pass."""
-        with section("physics"):
-            hit = events.hit or self._collider.first_hit((self._state,), self._held)
-            self.physics.advance(STEP_SECONDS)
-        self._frame = None
-        return replace(events, scene_collision=hit is not None, hit=hit)
+    def _touch(self) -> StepEvents:
+        """Say what the robot touches where it stands."""
+        hit = self._collider.first_hit((self._state,), self._held)
+        return StepEvents(scene_collision=hit is not None, hit=hit)
 
     def _grasp(self, category: str) -> str | None:
         """Take the nearest object of a category that is in view and in range, if the gripper is empty."""
@@ -261,9 +266,15 @@ class Simulator:
 
 
 def _joined(first: StepEvents, second: StepEvents) -> StepEvents:
-    """Return what came of two motions, one after the other."""
+    """Return what came of two things that were done one after the other."""
     hit = first.hit or second.hit
-    return StepEvents(first.base_blocked or second.base_blocked, hit is not None, hit=hit)
+    return StepEvents(
+        first.base_blocked or second.base_blocked,
+        hit is not None,
+        first.grasped or second.grasped,
+        first.released or second.released,
+        hit,
+    )
 
 
 def _vertices_of_movables(home: Home) -> dict[str, NDArray[np.float64]]:
