@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import BasePose, PinholeCamera, invert_transform, transform_points
+from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Action, BaseDisplacement, DiscreteAction, Joints
 from uniteam.stretch import (
     JOINT_LIMITS,
@@ -21,11 +21,10 @@ from uniteam.stretch import (
     head_camera_to_base,
 )
 from uniteam.timing import section
-from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home
 from uniteam.world.simulation.collision import ArmCollider
 from uniteam.world.simulation.frame import Frame
-from uniteam.world.simulation.held import HeldObject, hang
+from uniteam.world.simulation.gripper import Gripper
 from uniteam.world.simulation.home_view import HomeView
 from uniteam.world.simulation.motion import (
     FORWARD_STEP,
@@ -39,13 +38,11 @@ from uniteam.world.simulation.motion import (
 )
 from uniteam.world.simulation.navigable import NavigableFloor
 from uniteam.world.simulation.physics import Physics
-from uniteam.world.simulation.shapes import model_vertices
 
 STEP_SECONDS = 0.032
 """How much time passes in a step (s): the challenge's 30 steps a second, in whole physics steps."""
-GRASP_RANGE = 0.8
-"""How far from the grasp centre an object's middle may be to be grasped (m)."""
 QUARTER_TURN = np.pi / 2
+"""By how much the base turns for the arm to point to where it faced (rad)."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +84,7 @@ class Simulator:
         self._at_first = self.physics.save()
         self._collider = ArmCollider(self.physics)
         self._view = HomeView(home, self.physics)
-        self._vertices = _vertices_of_movables(home)
+        self._gripper = Gripper(home, self.physics)
         self._handlers = self._discrete_handlers()
         room = home.stage.rooms[0]
         self.reset(BasePose((room.low[0] + room.high[0]) / 2, (room.low[1] + room.high[1]) / 2, 0.0))
@@ -97,7 +94,7 @@ class Simulator:
         self.physics.restore(self._at_first)
         self._state = RobotState(base, NAVIGATION_POSTURE)
         self._is_manipulating = False
-        self._held: HeldObject | None = None
+        self._gripper.held = None
         self._frame: Frame | None = None
 
     @property
@@ -113,7 +110,8 @@ class Simulator:
     @property
     def held(self) -> str | None:
         """The instance in the gripper, if there is one."""
-        return None if self._held is None else self._held.name
+        held = self._gripper.held
+        return None if held is None else held.name
 
     def camera_to_world(self) -> NDArray[np.float64]:
         """Return the (4, 4) pose of the head camera."""
@@ -125,19 +123,19 @@ class Simulator:
 
     def object_pose(self, name: str) -> NDArray[np.float64]:
         """Return the (4, 4) pose of a movable instance, held or not."""
-        hanging = self._hanging()
+        hanging = self._gripper.hanging(self._state)
         return hanging[name] if name in hanging else self.physics.pose(name)
 
     def render(self) -> Frame:
         """Return what the head camera sees now; a state is rendered once."""
         if self._frame is None:
             with section("camera"):
-                self._frame = self._view.head(self._state, self.camera, self._hanging())
+                self._frame = self._view.head(self._state, self.camera, self._gripper.hanging(self._state))
         return self._frame
 
     def render_third_person(self, width: int = 640, height: int = 480) -> NDArray[np.uint8]:
         """Return the (H, W, 3) picture of the robot from above, without the ceiling."""
-        return self._view.from_above(self._state, (width, height), self._hanging())
+        return self._view.from_above(self._state, (width, height), self._gripper.hanging(self._state))
 
     def apply(self, action: Action, target_category: str) -> StepEvents:
         """Do an action and let time pass.
@@ -157,7 +155,8 @@ class Simulator:
 
     def _do(self, action: Action, target_category: str) -> StepEvents:
         if action is DiscreteAction.SNAP_OBJECT:
-            return StepEvents(grasped=self._grasp(target_category))
+            in_view = np.unique(self.render().instances)
+            return StepEvents(grasped=self._gripper.grasp(target_category, in_view, self._state))
         if isinstance(action, DiscreteAction):
             return self._handlers[action]()
         if isinstance(action, BaseDisplacement):
@@ -176,7 +175,7 @@ class Simulator:
             DiscreteAction.NAVIGATION_MODE: self._navigation_mode,
             DiscreteAction.MANIPULATION_MODE: self._manipulation_mode,
             DiscreteAction.EXTEND_ARM: lambda: self._pose(replace(self.joints, arm=extended)),
-            DiscreteAction.DESNAP_OBJECT: lambda: StepEvents(released=self._release()),
+            DiscreteAction.DESNAP_OBJECT: lambda: StepEvents(released=self._gripper.release(self._state)),
         }
 
     def _displace(self, displacement: BaseDisplacement) -> StepEvents:
@@ -209,60 +208,17 @@ class Simulator:
 
     def _go(self, end: RobotState, turn: float) -> StepEvents:
         """Move to a state and say what was met on the way."""
-        radius = 0.0 if self._held is None else self._held.radius
+        held = self._gripper.held
         with section("physics"):
-            hit = self._collider.first_hit(tuple(samples(self._state, end, turn, radius)), self._held)
+            path = tuple(samples(self._state, end, turn, 0.0 if held is None else held.radius))
+            hit = self._collider.first_hit(path, held)
         self._state = end
         return StepEvents(scene_collision=hit is not None, hit=hit)
 
     def _touch(self) -> StepEvents:
         """Say what the robot touches where it stands."""
-        hit = self._collider.first_hit((self._state,), self._held)
+        hit = self._collider.first_hit((self._state,), self._gripper.held)
         return StepEvents(scene_collision=hit is not None, hit=hit)
-
-    def _grasp(self, category: str) -> str | None:
-        """Take the nearest object of a category that is in view and in range, if the gripper is empty."""
-        if self._held is not None:
-            return None
-        nearest = min(self._graspable(category), default=None)
-        if nearest is None:
-            return None
-        name = nearest[1]
-        object_to_base = invert_transform(self.base.matrix()) @ self.physics.pose(name)
-        self._held = hang(name, self._vertices[name], object_to_base)
-        self.physics.remove(name)
-        return name
-
-    def _graspable(self, category: str) -> list[tuple[float, str]]:
-        """Return the distance (m) and name of every object that could be grasped."""
-        in_view = set(np.unique(self.render().instances).tolist())
-        gripper = self.gripper_to_world()[:3, 3]
-        found = []
-        for index, instance in enumerate(self.home.instances):
-            if instance.movable and instance.category == category and index in in_view:
-                distance = float(np.linalg.norm(self._middle(instance.name) - gripper))
-                if distance <= GRASP_RANGE:
-                    found.append((distance, instance.name))
-        return found
-
-    def _middle(self, name: str) -> NDArray[np.float64]:
-        points = transform_points(self.physics.pose(name), self._vertices[name])
-        return np.asarray((points.min(axis=0) + points.max(axis=0)) / 2)
-
-    def _release(self) -> str | None:
-        """Let go of what the gripper holds: it falls from where it hangs."""
-        if self._held is None:
-            return None
-        name = self._held.name
-        self.physics.set_pose(name, self._hanging()[name])
-        self._held = None
-        return name
-
-    def _hanging(self) -> dict[str, NDArray[np.float64]]:
-        """Return the (4, 4) pose (world) of what the gripper holds, by name."""
-        if self._held is None:
-            return {}
-        return {self._held.name: self.base.matrix() @ self._held.to_base(gripper_to_base(self.joints))}
 
 
 def _joined(first: StepEvents, second: StepEvents) -> StepEvents:
@@ -275,9 +231,3 @@ def _joined(first: StepEvents, second: StepEvents) -> StepEvents:
         first.released or second.released,
         hit,
     )
-
-
-def _vertices_of_movables(home: Home) -> dict[str, NDArray[np.float64]]:
-    """Return the (V, 3) vertices (m, model frame) of each movable instance's shapes."""
-    catalogue = load_catalogue()
-    return {i.name: model_vertices(catalogue[i.model].shapes) for i in home.instances if i.movable}
