@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 from uniteam.world.simulation.culling import NEAR, TILE, coarsen, drawing_order, is_hidden, screen_bounds
 from uniteam.world.simulation.scene_buffers import SceneBuffers, Workspace
 
+Corner = tuple[np.float64, np.float64, np.float64]
+"""Column, row and inverse depth (1/m) of a triangle's corner, in double precision: it may lie far off the screen."""
+
 PARTS_BETWEEN_COARSENINGS = 12
 """So many parts are drawn before the coarse depth buffer is brought up to date."""
 
@@ -83,7 +86,14 @@ def _draw_part(
         low_y, high_y = max(min(ya, yb, yc), np.float32(0.0)), min(max(ya, yb, yc), last_row)
         if math.ceil(low_x) > high_x or math.ceil(low_y) > high_y:
             continue
-        _fill(inverse_depth, triangle_at, t, xa, ya, wa, xb, yb, wb, xc, yc, wc)
+        _fill(
+            inverse_depth, triangle_at, t, _corner(xa, ya, wa), _corner(xb, yb, wb), _corner(xc, yc, wc)
+        )  # fmt: skip
+
+
+@njit(cache=True, nogil=True)
+def _corner(x: np.float32, y: np.float32, w: np.float32) -> Corner:
+    return np.float64(x), np.float64(y), np.float64(w)
 
 
 @njit(cache=True, nogil=True, fastmath=True)
@@ -95,78 +105,64 @@ def _draw_clipped(
     triangle_at: NDArray[np.int32],
 ) -> None:
     """Cut a triangle at the near plane and draw what remains of it: one triangle or two."""
-    near = np.float32(NEAR)
-    corner = np.empty((3, 3), dtype=np.float32)
+    corner = np.empty((3, 3), dtype=np.float64)
     for k in range(3):
         v = buffers.triangles[t, k]
         x, y, z = buffers.vertices[v, 0], buffers.vertices[v, 1], buffers.vertices[v, 2]
         for i in range(3):
             corner[k, i] = view[i, 0] * x + view[i, 1] * y + view[i, 2] * z + view[i, 3]
-    polygon = np.empty((4, 3), dtype=np.float32)
+    polygon = np.empty((4, 3), dtype=np.float64)
     count = 0
     for k in range(3):
         here, there = corner[k], corner[(k + 1) % 3]
-        if here[2] >= near:
+        if here[2] >= NEAR:
             polygon[count] = here
             count += 1
-        if (here[2] >= near) != (there[2] >= near):
-            share = (near - here[2]) / (there[2] - here[2])
-            for i in range(2):
-                polygon[count, i] = here[i] + share * (there[i] - here[i])
-            polygon[count, 2] = near
+        if (here[2] >= NEAR) != (there[2] >= NEAR):
+            share = (NEAR - here[2]) / (there[2] - here[2])
+            polygon[count] = here + share * (there - here)
             count += 1
     for k in range(count):
-        polygon[k, 2] = np.float32(1.0) / polygon[k, 2]
-        polygon[k, 0] *= polygon[k, 2]
-        polygon[k, 1] *= polygon[k, 2]
+        polygon[k, 0] /= polygon[k, 2]
+        polygon[k, 1] /= polygon[k, 2]
+        polygon[k, 2] = 1.0 / polygon[k, 2]
     for k in range(1, count - 1):
         a, b, c = polygon[0], polygon[k], polygon[k + 1]
-        _fill(inverse_depth, triangle_at, t, a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2])
+        _fill(inverse_depth, triangle_at, t, (a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2]))
 
 
 # Sums keep their order here (no `fastmath=True`), so that an edge is the same edge from both of its sides.
 @njit(cache=True, nogil=True, fastmath={"nnan", "ninf", "nsz"})
 def _fill(
-    inverse_depth: NDArray[np.float32],
-    triangle_at: NDArray[np.int32],
-    t: int,
-    x0: np.float32, y0: np.float32, w0: np.float32,
-    x1: np.float32, y1: np.float32, w1: np.float32,
-    x2: np.float32, y2: np.float32, w2: np.float32,
-) -> None:  # fmt: skip
-    """Draw a triangle given by three (column, row, inverse depth) where it is nearer than what was drawn before."""
-    if y1 < y0:
-        x0, y0, w0, x1, y1, w1 = x1, y1, w1, x0, y0, w0
-    if y2 < y1:
-        x1, y1, w1, x2, y2, w2 = x2, y2, w2, x1, y1, w1
-        if y1 < y0:
-            x0, y0, w0, x1, y1, w1 = x1, y1, w1, x0, y0, w0
+    inverse_depth: NDArray[np.float32], triangle_at: NDArray[np.int32], t: int, p0: Corner, p1: Corner, p2: Corner
+) -> None:
+    """Draw a triangle given by its corners where it is nearer than what was drawn before."""
+    if p1[1] < p0[1]:
+        p0, p1 = p1, p0
+    if p2[1] < p1[1]:
+        p1, p2 = p2, p1
+        if p1[1] < p0[1]:
+            p0, p1 = p1, p0
+    (x0, y0, w0), (x1, y1, w1), (x2, y2, w2) = p0, p1, p2
     height, width = inverse_depth.shape
-    first_row = max(math.ceil(y0), 0)
-    last_row = min(math.floor(y2), height - 1)
-    if first_row > last_row:
-        return
+    first_row, last_row = max(math.ceil(y0), 0), min(math.floor(y2), height - 1)
     area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
-    if area == np.float32(0.0):
+    if first_row > last_row or area == 0.0:
         return
-    scale = np.float32(1.0) / area
-    slope_x = ((w1 - w0) * (y2 - y0) - (w2 - w0) * (y1 - y0)) * scale
-    slope_y = ((w2 - w0) * (x1 - x0) - (w1 - w0) * (x2 - x0)) * scale
-    lowest, highest = min(w0, w1, w2), max(w0, w1, w2)
+    slope_x = ((w1 - w0) * (y2 - y0) - (w2 - w0) * (y1 - y0)) / area
+    slope_y = ((w2 - w0) * (x1 - x0) - (w1 - w0) * (x2 - x0)) / area
+    lowest, highest, step = np.float32(min(w0, w1, w2)), np.float32(max(w0, w1, w2)), np.float32(slope_x)
     long_edge = (x2 - x0) / (y2 - y0)
-    upper_edge = (x1 - x0) / (y1 - y0) if y1 > y0 else np.float32(0.0)
-    lower_edge = (x2 - x1) / (y2 - y1) if y2 > y1 else np.float32(0.0)
+    upper_edge = (x1 - x0) / (y1 - y0) if y1 > y0 else 0.0
+    lower_edge = (x2 - x1) / (y2 - y1) if y2 > y1 else 0.0
     for y in range(first_row, last_row + 1):
-        row = np.float32(y)
-        edge_long = x0 + (row - y0) * long_edge
-        edge_short = x0 + (row - y0) * upper_edge if row < y1 else x1 + (row - y1) * lower_edge
-        left = max(min(edge_long, edge_short), np.float32(0.0))
-        right = min(max(edge_long, edge_short), np.float32(width - 1))
-        first, last = math.ceil(left), math.floor(right)
-        w = w0 + (np.float32(first) - x0) * slope_x + (row - y0) * slope_y
+        edge_long = x0 + (y - y0) * long_edge
+        edge_short = x0 + (y - y0) * upper_edge if y < y1 else x1 + (y - y1) * lower_edge
+        first = math.ceil(max(min(edge_long, edge_short), 0.0))
+        last = math.floor(min(max(edge_long, edge_short), width - 1.0))
+        start = np.float32(w0 + (first - x0) * slope_x + (y - y0) * slope_y)
         for x in range(first, last + 1):
-            nearness = min(max(w, lowest), highest)
+            nearness = min(max(start + np.float32(x - first) * step, lowest), highest)
             if nearness > inverse_depth[y, x]:
                 inverse_depth[y, x] = nearness
                 triangle_at[y, x] = t
-            w += slope_x
