@@ -67,7 +67,7 @@ def looking(eye: tuple[float, float, float], target: tuple[float, float, float])
 
 
 def two_rooms(*instances: Instance) -> Home:
-    """Return rooms "west" (x 0 to 4, warm) and "east" (4 to 8, cool), y 0 to 4, a door between and an eastern window."""
+    """Return rooms "west" (x 0 to 4, warm) and "east" (4 to 8, cool), y 0 to 4, a door between, an eastern window."""
     floor, wall = texture_names("floor")[0], texture_names("wall")[0]
     rooms = tuple(
         Room(name, "living_room", (x, 0.0), (x + 4.0, 4.0), floor, wall, tint, Light((x + 2.0, 2.0, 2.3), light, 0.4))
