@@ -1,0 +1,244 @@
+"""What each action does to the robot and to the objects, in a home of two rooms furnished from the pack."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_home import small_home
+
+from uniteam.geometry import BasePose
+from uniteam.interface import BaseDisplacement, DiscreteAction, JointDisplacement, Joints
+from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE, NAVIGATION_POSTURE, head_camera_to_base
+from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.assets.textures import texture_names
+from uniteam.world.homes.home import Home, Instance
+from uniteam.world.simulation.camera import render
+from uniteam.world.simulation.robot_mesh import part_poses, robot_parts
+from uniteam.world.simulation.scene import Scene
+from uniteam.world.simulation.simulator import Simulator
+
+A = DiscreteAction
+TABLE, SINK, MUG, BOWL = "table_et_table", "sink_et_sink", "cup_kl_coffee_mug", "bowl_sc_bowl_with_salad"
+TABLE_HEIGHT = 0.74
+BEFORE_TABLE = BasePose(2.1, 2.6, math.pi / 2)
+BEFORE_SINK = BasePose(6.1, 2.7, math.pi / 2)
+RAISED = JointDisplacement(Joints(lift=0.3, arm=0.0, wrist_pitch=1.5))
+
+
+def placed(name: str, model: str, x: float, y: float, z: float = 0.0) -> Instance:
+    entry = load_catalogue()[model]
+    return Instance(name, model, entry.category, entry.role == "object", (x, y, z), (1.0, 0.0, 0.0, 0.0), "west")
+
+
+def furnished_home() -> Home:
+    home = small_home(
+        placed("table_1", TABLE, 2.0, 3.55),
+        placed("sink_1", SINK, 6.0, 3.6),
+        placed("mug_far", MUG, 1.8, 3.45, TABLE_HEIGHT),
+        placed("mug_near", MUG, 2.1, 3.3, TABLE_HEIGHT),
+        placed("mug_behind", MUG, 2.1, 2.0, 0.0),
+        placed("mug_sink", MUG, 6.4, 3.45, 0.85),
+        placed("bowl_1", BOWL, 2.5, 3.4, TABLE_HEIGHT),
+    )
+    look = {"floor_texture": texture_names("floor")[0], "wall_texture": texture_names("wall")[0]}
+    rooms = tuple(replace(room, **look) for room in home.stage.rooms)
+    return replace(home, stage=replace(home.stage, rooms=rooms))
+
+
+@pytest.fixture(scope="module")
+def shared() -> Simulator:
+    return Simulator(furnished_home(), HEAD_CAMERA_HALF)
+
+
+@pytest.fixture
+def simulator(shared: Simulator) -> Iterator[Simulator]:
+    shared.reset(BEFORE_TABLE)
+    yield shared
+
+
+def wait(simulator: Simulator, steps: int = 40) -> None:
+    for _ in range(steps):
+        simulator.apply(A.EMPTY_ACTION, "cup")
+
+
+def test_discrete_motions_move_by_the_challenges_steps(simulator: Simulator) -> None:
+    simulator.reset(BasePose(1.0, 1.0, 0.0))
+    simulator.apply(A.MOVE_FORWARD, "cup")
+    assert simulator.base == BasePose(1.25, 1.0, 0.0)
+    simulator.apply(A.TURN_LEFT, "cup")
+    simulator.apply(A.TURN_LEFT, "cup")
+    simulator.apply(A.TURN_RIGHT, "cup")
+    assert simulator.base.heading == pytest.approx(math.radians(30.0))
+
+
+def test_blocked_motion_leaves_the_base_where_it_was_without_sliding(simulator: Simulator) -> None:
+    start = BasePose(0.6, 1.5, math.radians(140.0))
+    simulator.reset(start)
+    events = simulator.apply(BaseDisplacement(x=1.0, heading=1.0), "cup")
+    assert events.base_blocked
+    assert not events.scene_collision
+    assert simulator.base == start
+
+
+@pytest.mark.parametrize(
+    ("asked", "done"),
+    [
+        (BaseDisplacement(x=0.09, heading=math.radians(4.0)), BaseDisplacement()),
+        (BaseDisplacement(x=-0.1), BaseDisplacement(x=-0.1)),
+        (BaseDisplacement(x=5.0), BaseDisplacement(x=1.0)),
+        (BaseDisplacement(y=0.5, heading=-0.2), BaseDisplacement(y=0.5, heading=-0.2)),
+    ],
+)
+def test_continuous_motion_is_cut_to_its_range(
+    simulator: Simulator, asked: BaseDisplacement, done: BaseDisplacement
+) -> None:
+    start = BasePose(1.5, 1.2, 0.0)
+    simulator.reset(start)
+    simulator.apply(asked, "cup")
+    assert simulator.base == start.compose(BasePose(done.x, done.y, done.heading))
+
+
+def test_manipulation_mode_turns_the_arm_to_the_front_once_and_navigation_mode_turns_back(
+    simulator: Simulator,
+) -> None:
+    for _ in range(2):
+        simulator.apply(A.MANIPULATION_MODE, "cup")
+        assert simulator.joints == MANIPULATION_POSTURE
+        assert simulator.base.heading == pytest.approx(math.pi)
+    for _ in range(2):
+        simulator.apply(A.NAVIGATION_MODE, "cup")
+        assert simulator.joints == NAVIGATION_POSTURE
+        assert simulator.base.heading == pytest.approx(BEFORE_TABLE.heading)
+
+
+def test_joints_move_by_their_displacement_within_their_ranges(simulator: Simulator) -> None:
+    simulator.reset(BasePose(1.0, 1.0, math.pi / 2))
+    simulator.apply(JointDisplacement(Joints(lift=-0.1, arm=2.0, head_pan=0.3), BaseDisplacement(x=-0.3)), "cup")
+    assert simulator.joints == replace(NAVIGATION_POSTURE, lift=0.78 - 0.1, arm=0.52, head_pan=0.3)
+    assert simulator.base.y == pytest.approx(0.7)
+
+
+def test_arm_extended_into_a_wall_counts_once_a_step(simulator: Simulator) -> None:
+    simulator.reset(BasePose(0.5, 2.0, math.radians(-90.0)))
+    events = simulator.apply(A.EXTEND_ARM, "cup")
+    assert events.scene_collision
+    assert events.hit == "wall"
+    assert not events.base_blocked
+    assert simulator.apply(A.EMPTY_ACTION, "cup").scene_collision
+    simulator.apply(A.NAVIGATION_MODE, "cup")
+    assert not simulator.apply(A.EMPTY_ACTION, "cup").scene_collision
+
+
+def test_gripper_takes_the_nearest_object_of_the_class_in_view(simulator: Simulator) -> None:
+    simulator.apply(A.MANIPULATION_MODE, "cup")
+    events = simulator.apply(A.SNAP_OBJECT, "cup")
+    assert events.grasped == simulator.held == "mug_near"
+    assert not events.scene_collision
+    assert simulator.apply(A.SNAP_OBJECT, "cup").grasped is None
+    assert simulator.held == "mug_near"
+
+
+@pytest.mark.parametrize(
+    ("base", "category"),
+    [
+        pytest.param(BEFORE_TABLE, "teapot", id="no such object"),
+        pytest.param(BasePose(2.1, 2.6, -math.pi / 2), "bowl", id="out of view"),
+        pytest.param(BasePose(2.1, 2.15, math.pi / 2), "cup", id="out of reach"),
+    ],
+)
+def test_nothing_is_grasped_otherwise(simulator: Simulator, base: BasePose, category: str) -> None:
+    simulator.reset(base)
+    assert simulator.apply(A.SNAP_OBJECT, category).grasped is None
+    assert simulator.held is None
+
+
+def test_held_object_goes_where_the_gripper_goes_and_is_seen_there(simulator: Simulator) -> None:
+    simulator.apply(A.MANIPULATION_MODE, "cup")
+    simulator.apply(A.SNAP_OBJECT, "cup")
+    simulator.apply(RAISED, "cup")
+    simulator.apply(A.EXTEND_ARM, "cup")
+    mug, gripper = simulator.object_pose("mug_near"), simulator.gripper_to_world()
+    height = load_catalogue()[MUG].size[2]
+    np.testing.assert_allclose(mug[:3, 3], gripper[:3, 3] - [0.0, 0.0, height], atol=0.02)
+    assert mug[2, 2] == pytest.approx(1.0, abs=1e-4)
+    simulator.apply(JointDisplacement(Joints(0.0, -0.3, head_tilt=0.3)), "cup")
+    index = [i.name for i in simulator.home.instances].index("mug_near")
+    assert np.count_nonzero(simulator.render().instances == index) > 20
+
+
+def test_mug_released_above_the_table_comes_to_rest_on_it(simulator: Simulator) -> None:
+    simulator.apply(A.MANIPULATION_MODE, "cup")
+    simulator.apply(A.SNAP_OBJECT, "cup")
+    for action in (RAISED, JointDisplacement(Joints(-0.1, 0.25))):
+        assert not simulator.apply(action, "cup").scene_collision
+    above = simulator.object_pose("mug_near")
+    events = simulator.apply(A.DESNAP_OBJECT, "cup")
+    assert events.released == "mug_near"
+    assert simulator.held is None
+    assert not events.scene_collision
+    wait(simulator)
+    assert simulator.physics.is_at_rest("mug_near")
+    assert simulator.physics.touching("mug_near") == {"table_1"}
+    resting = simulator.object_pose("mug_near")
+    assert resting[2, 3] == pytest.approx(TABLE_HEIGHT, abs=0.005)
+    assert np.hypot(*(resting - above)[:2, 3]) < 0.02
+
+
+def test_mug_released_over_a_sink_ends_in_its_basin(simulator: Simulator) -> None:
+    simulator.reset(BEFORE_SINK)
+    simulator.apply(A.MANIPULATION_MODE, "cup")
+    assert simulator.apply(A.SNAP_OBJECT, "cup").grasped == "mug_sink"
+    for action in (RAISED, A.EXTEND_ARM):
+        assert not simulator.apply(action, "cup").scene_collision
+    simulator.apply(A.DESNAP_OBJECT, "cup")
+    wait(simulator, 60)
+    assert simulator.physics.is_at_rest("mug_sink")
+    assert simulator.physics.touching("mug_sink") == {"sink_1"}
+    assert simulator.object_pose("mug_sink")[2, 3] == pytest.approx(0.65, abs=0.02)
+
+
+def test_reset_puts_everything_back(simulator: Simulator) -> None:
+    frame = simulator.render()
+    poses = {name: simulator.object_pose(name) for name in simulator.physics.names}
+    for action in (A.MANIPULATION_MODE, A.SNAP_OBJECT, A.DESNAP_OBJECT, A.EMPTY_ACTION):
+        simulator.apply(action, "cup")
+    simulator.reset(BEFORE_TABLE)
+    assert simulator.held is None
+    assert all(np.array_equal(simulator.object_pose(name), pose) for name, pose in poses.items())
+    assert np.array_equal(simulator.render().rgb, frame.rgb)
+
+
+def test_same_actions_give_the_same_bits_in_another_simulator_and_after_a_reset(simulator: Simulator) -> None:
+    actions = [A.MANIPULATION_MODE, A.SNAP_OBJECT, RAISED, A.EXTEND_ARM, A.DESNAP_OBJECT, *[A.EMPTY_ACTION] * 20]
+    actions += [A.NAVIGATION_MODE, A.TURN_LEFT, A.MOVE_FORWARD]
+    traces = []
+    for one in (simulator, Simulator(furnished_home(), HEAD_CAMERA_HALF), simulator):
+        one.reset(BEFORE_TABLE)
+        events = [one.apply(action, "cup") for action in actions]
+        poses = np.array([one.object_pose(name) for name in one.physics.names])
+        traces.append((events, one.base, poses.tobytes(), one.render().rgb.tobytes(), one.render().depth.tobytes()))
+    assert traces[0] == traces[1] == traces[2]
+
+
+@pytest.mark.parametrize("posture", [NAVIGATION_POSTURE, MANIPULATION_POSTURE])
+def test_head_camera_sees_nothing_of_the_head_itself(posture: Joints) -> None:
+    scene = Scene(furnished_home(), robot_parts())
+    for name, pose in part_poses(BEFORE_TABLE, posture).items():
+        scene.move(name, pose)
+    camera_to_world = BEFORE_TABLE.matrix() @ head_camera_to_base(posture)
+    seen = render(scene, HEAD_CAMERA_HALF, camera_to_world).rgb.copy()
+    for name in ("robot/head_pan", "robot/head_tilt", "robot/base"):
+        scene.show(name, False)
+    assert np.array_equal(render(scene, HEAD_CAMERA_HALF, camera_to_world).rgb, seen)
+
+
+def test_head_camera_sees_the_wrist_in_manipulation_and_the_robot_is_no_instance(simulator: Simulator) -> None:
+    before = simulator.render()
+    simulator.apply(A.MANIPULATION_MODE, "cup")
+    frame = simulator.render()
+    near = (frame.depth > 0) & (frame.depth < 0.6)
+    assert 500 < np.count_nonzero(near) < 0.2 * near.size
+    assert np.all(frame.instances[near] == -1)
+    assert not np.any((before.depth > 0) & (before.depth < 0.6))
