@@ -6,23 +6,22 @@ two stands in the certificate, reaches overall success from the episode's start.
 """
 
 from collections.abc import Iterator
-from itertools import chain, islice, product, repeat, zip_longest
+from itertools import chain, islice, product, repeat
 
 import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Action, DiscreteAction
-from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE
-from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.world.homes.home import Home
 from uniteam.world.simulation.simulator import Simulator
-from uniteam.world.task.drop_points import DropPoints, drop_points
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Candidate, Certificate, Episode
 from uniteam.world.task.judge import rests_on
 from uniteam.world.task.oracle import MOST_WAITING, Oracle
 from uniteam.world.task.pilot import Pilot
-from uniteam.world.task.stands import Release, grasp_stands, releases
+from uniteam.world.task.release_ways import release_ways
+from uniteam.world.task.stands import Release, grasp_stands
 from uniteam.world.task.tasks import Task
 from uniteam.world.task.view_points import Viewpoints
 
@@ -33,14 +32,6 @@ EPISODE_TRIES = 4
 GRASP_RANGE = 0.9
 RELEASE_RANGE = 0.7
 """How far from an instance a stand may be (m)."""
-LEAST_DROP, MOST_DROP = 0.04, 0.75
-"""How far above a surface an object's bottom is released (m); from higher where it must pass a rim."""
-HEADROOM = {MANIPULATION_POSTURE.wrist_pitch: 0.35, 0.0: 0.12}
-"""By the wrist's pitch (rad), what the arm needs above an object (m); level, it reaches higher and between boards."""
-WAYS_FROM_A_HEIGHT, APART = 3, 0.12
-"""How many points of a surface are tried from one height, and how far apart they are (m)."""
-EDGE_MARGIN = 0.02
-"""What an object keeps from a surface's edge, where the surface is large enough (m)."""
 
 
 class Certifier:
@@ -107,8 +98,9 @@ class Certifier:
         """Return a way in which a held object was put on a receptacle in the simulator."""
         key = (name, receptacle)
         if key not in self._tried_releases:
-            ways = islice(self._releases(name, receptacle), RELEASE_TRIES)
-            tried = (way for way in ways if self._can_release(way, name, grasp, receptacle))
+            held, goal = self.home.by_name[name], self.home.by_name[receptacle]
+            ways = release_ways(self.home, held, goal, self._views.standable(goal, RELEASE_RANGE))
+            tried = (way for way in islice(ways, RELEASE_TRIES) if self._can_release(way, name, grasp, receptacle))
             self._tried_releases[key] = next(tried, None)
         return self._tried_releases[key]
 
@@ -127,22 +119,6 @@ class Certifier:
         nothing = repeat(DiscreteAction.EMPTY_ACTION, MOST_WAITING)
         return self._goes_well(nothing, name) and rests_on(self.simulator, name, {receptacle})
 
-    def _releases(self, name: str, receptacle: str) -> Iterator[Release]:
-        """Yield ways to hold an object over a receptacle, one of each surface, posture and height at a time."""
-        instance = self.home.by_name[receptacle]
-        floor_points = self._views.standable(instance, RELEASE_RANGE)
-        width, depth, height = load_catalogue()[self.home.by_name[name].model].size
-        margin = float(np.hypot(width, depth)) / 2.0 + EDGE_MARGIN
-        top = instance.position[2] + load_catalogue()[instance.model].size[2]
-        surfaces = sorted(drop_points(self.home, instance), key=lambda surface: -surface.margins.max())
-        drops = [(surface, drop) for surface in surfaces for drop in _drops(surface, top)]
-        ways = [
-            islice(_ways(surface, floor_points, height + drop, pitch, margin), WAYS_FROM_A_HEIGHT)
-            for (surface, drop), pitch in product(sorted(drops, key=lambda pair: pair[1] != LEAST_DROP), HEADROOM)
-            if surface.clearance >= height + drop + HEADROOM[pitch]
-        ]
-        yield from (way for round_of_ways in zip_longest(*ways) for way in round_of_ways if way is not None)
-
     def _is_solved(self, episode: Episode) -> bool:
         environment = Environment(self.home, episode)
         oracle = Oracle(environment)
@@ -151,22 +127,3 @@ class Certifier:
         while not environment.is_over:
             observation = environment.step(oracle.act(observation).action)
         return environment.measures.overall_success
-
-
-def _drops(surface: DropPoints, top: float) -> list[float]:
-    """Return from how high above a surface to release (m): just above it, or just above the furniture's top."""
-    over_the_top = top + LEAST_DROP - surface.height
-    return [LEAST_DROP, over_the_top] if LEAST_DROP < over_the_top < MOST_DROP else [LEAST_DROP]
-
-
-def _ways(
-    surface: DropPoints, floor_points: np.ndarray, height: float, wrist_pitch: float, margin: float
-) -> Iterator[Release]:
-    """Yield ways to release at the surface's roomiest points; `height` is the gripper's above the surface (m)."""
-    roominess = np.round(np.minimum(surface.margins, margin), 2)
-    reach = np.linalg.norm(surface.points[:, None] - floor_points[None], axis=2).min(axis=1, initial=np.inf)
-    tried = np.empty((0, 2))
-    for i in np.lexsort((reach, -roominess)):
-        if np.all(np.linalg.norm(tried - surface.points[i], axis=1) >= APART):
-            yield from releases(surface.points[i], floor_points, surface.height + height, wrist_pitch)[:1]
-            tried = np.vstack([tried, surface.points[i]])
