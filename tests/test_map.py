@@ -4,19 +4,20 @@ import math
 
 import numpy as np
 import pytest
-
 from box_world import CAMERA, Box, observe, room
+
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig
 from uniteam.mind.mapping.class_role import ClassRole, role_scores
 
+START = BasePose(0.0, 0.0, 0.0)
 ROLES = role_scores(Instruction("cup", "table", "bed"))
 TABLE = Box((1.5, -0.5, 0.7), (2.3, 0.5, 0.75), "table")
 CUP = Box((1.7, -0.05, 0.75), (1.8, 0.05, 0.85), "cup")
 
 
-def look(bird_map: BirdsEyeMap, boxes: tuple[Box, ...], base: BasePose = BasePose(0.0, 0.0, 0.0)) -> None:
+def look(bird_map: BirdsEyeMap, boxes: tuple[Box, ...], base: BasePose = START) -> None:
     observation = observe(boxes, base)
     assert observation.truth is not None
     bird_map.update(observation, observation.truth, ROLES)

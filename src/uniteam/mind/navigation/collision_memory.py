@@ -80,8 +80,12 @@ COLLISION_MAPPING = CollisionMemory(write_short_term_goal, keep_collisions)
 
 
 def _patch(base: BasePose, cell: float, ahead: range, width: int) -> NDArray[np.float64]:
-    """Return (K, 2) points (m, parent frame of the base) on a grid of cells ahead of a base, centred on its axis."""
+    """Return (K, 2) points (m, parent frame of the base) on a grid ahead of a base, centred on its axis.
+
+    The points lie half a cell apart: a patch of cells that is turned against the grid must have no holes.
+    """
     forward = np.array([math.cos(base.heading), math.sin(base.heading)])
     left = np.array([-forward[1], forward[0]])
-    sides = range(-(width // 2), width // 2 + 1)
-    return np.array([(base.x, base.y) + cell * (a * forward + s * left) for a in ahead for s in sides])
+    lengths = np.arange(2 * ahead.start, 2 * ahead.stop - 1) / 2
+    sides = np.arange(-(width - 1), width) / 2
+    return np.array([(base.x, base.y) + cell * (a * forward + s * left) for a in lengths for s in sides])
