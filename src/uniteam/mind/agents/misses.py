@@ -84,5 +84,16 @@ class Misses:
 
 def _before(bird_map: BirdsEyeMap, cells: Mask, distance: float) -> Mask:
     """Return the cells within a distance (m) of some cells, but not those that a wall keeps apart from them."""
-    own = cv2.dilate(cells.view(np.uint8), disc(2)).view(np.bool_)
-    return distance_field(~bird_map.obstacle | own, cells, bird_map.cell_size) <= distance
+    rows, columns = np.nonzero(cells)
+    if len(rows) == 0:
+        return cells
+    play = round(distance / bird_map.cell_size) + 2
+    box = (
+        slice(max(0, rows.min() - play), rows.max() + play + 1),
+        slice(max(0, columns.min() - play), columns.max() + play + 1),
+    )
+    own = cv2.dilate(cells[box].view(np.uint8), disc(2)).view(np.bool_)
+    stands = np.zeros_like(cells)
+    free = ~bird_map.obstacle[box] | own
+    stands[box] = distance_field(free, np.ascontiguousarray(cells[box]), bird_map.cell_size) <= distance
+    return stands

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from uniteam.interface import Joints
 from uniteam.mind.manipulation.view import Points
-from uniteam.stretch import ARM_AXIS, WRIST_YAW_AXIS, gripper_to_base
+from uniteam.stretch import ARM_AXIS, WRIST_PITCH_AXIS, WRIST_YAW_AXIS, gripper_to_base
 
 FOOTPRINT = 0.3
 """m; nothing but the robot itself is nearer to the base's centre."""
@@ -37,18 +37,24 @@ EMPTY_GRIPPER = Load(0.0, 0.0, 0.0)
 
 @dataclass(frozen=True)
 class SweepConfig:
-    """The room the arm takes (m).
+    """The room the arm takes (m), measured on Stretch with the dexterous wrist.
 
     Attributes:
-        tube: half the arm's width and height.
-        gripper: half the gripper's width and height.
+        tube_side, tube_width: where the middle of the arm's tube is along the base, with the wrist's carrier, and half
+            the width of both.
+        tube_height: half its height.
+        wrist: how far the wrist's carrier reaches beyond the yaw axis.
+        hand: half the width of the gripper, and how far it reaches below the grasp centre or above the pitch axis.
         fingers: how far the fingers reach beyond the grasp centre.
         margin: the distance to be kept to everything.
     """
 
-    tube: float = 0.06
-    gripper: float = 0.09
-    fingers: float = 0.04
+    tube_side: float = -0.064
+    tube_width: float = 0.07
+    tube_height: float = 0.032
+    wrist: float = 0.04
+    hand: float = 0.05
+    fingers: float = 0.025
     margin: float = 0.03
 
 
@@ -62,8 +68,8 @@ def is_sweep_free(surroundings: Points, joints: Joints, load: Load, config: Swee
         config: the room it takes.
     """
     points = surroundings[np.hypot(surroundings[:, 0], surroundings[:, 1]) > FOOTPRINT]
-    swept = _tube(joints, config), _gripper(joints, load, config)
-    return not any(bool(np.any(box.holds(points))) for box in swept)
+    swept = _tube(joints, config), _hand(joints, config), _load(joints, load, config)
+    return not any(bool(np.any(box.holds(points, config.margin))) for box in swept)
 
 
 @dataclass(frozen=True)
@@ -76,22 +82,28 @@ class _SweptBox:
     low: float
     high: float
 
-    def holds(self, points: Points) -> NDArray[np.bool_]:
+    def holds(self, points: Points, margin: float) -> NDArray[np.bool_]:
         x, y, z = points.T
-        beside = np.abs(x - self.middle) < self.half_width
-        return beside & (y < 0) & (y > -self.end) & (z > self.low) & (z < self.high)
+        beside = np.abs(x - self.middle) < self.half_width + margin
+        before = (y < 0) & (y > -self.end - margin)
+        return beside & before & (z > self.low - margin) & (z < self.high + margin)
 
 
 def _tube(joints: Joints, config: SweepConfig) -> _SweptBox:
-    height, half = ARM_AXIS[1] + joints.lift, config.tube + config.margin
-    return _SweptBox(ARM_AXIS[0], half, joints.arm - WRIST_YAW_AXIS[1], height - half, height + half)
+    height = ARM_AXIS[1] + joints.lift
+    end = joints.arm - WRIST_YAW_AXIS[1] + config.wrist
+    low, high = height - config.tube_height, height + config.tube_height
+    return _SweptBox(config.tube_side, config.tube_width, end, low, high)
 
 
-def _gripper(joints: Joints, load: Load, config: SweepConfig) -> _SweptBox:
-    x, y, z = gripper_to_base(joints)[:3, 3]
-    wrist = ARM_AXIS[1] + joints.lift
-    low = min(float(z) - max(config.gripper, load.below), wrist - config.tube)
-    high = max(float(z) + config.gripper, wrist + config.tube)
-    end = max(-float(y) + max(config.fingers, load.along_arm), joints.arm - WRIST_YAW_AXIS[1] + config.gripper)
-    half_width = max(config.gripper, load.along_base) + config.margin
-    return _SweptBox(float(x), half_width, end + config.margin, low - config.margin, high + config.margin)
+def _hand(joints: Joints, config: SweepConfig) -> _SweptBox:
+    x, y, z = (float(value) for value in gripper_to_base(joints)[:3, 3])
+    pitch_axis = WRIST_PITCH_AXIS[2] + joints.lift
+    end = max(-y + config.fingers, joints.arm - WRIST_PITCH_AXIS[1] + config.hand)
+    low, high = min(z, pitch_axis) - config.hand, max(z, pitch_axis) + config.hand
+    return _SweptBox(x, config.hand, end, low, high)
+
+
+def _load(joints: Joints, load: Load, config: SweepConfig) -> _SweptBox:
+    x, y, z = (float(value) for value in gripper_to_base(joints)[:3, 3])
+    return _SweptBox(x, load.along_base, -y + load.along_arm, z - load.below, z)
