@@ -17,6 +17,7 @@ class Gaze(NamedTuple):
         x, y, heading: the base (m, m, rad).
         range: what is farther (m) is not looked at.
         half_width: what is farther off the heading (rad) is not looked at.
+        play: a look this near (rad) to the border between two sides counts for both.
     """
 
     x: float
@@ -24,6 +25,7 @@ class Gaze(NamedTuple):
     heading: float
     range: float = 2.0
     half_width: float = math.radians(30.0)
+    play: float = math.radians(20.0)
 
 
 def look_bits(points: NDArray[np.float64], gaze: Gaze) -> NDArray[np.uint8]:
@@ -37,7 +39,7 @@ def look_bits(points: NDArray[np.float64], gaze: Gaze) -> NDArray[np.uint8]:
     off = np.abs((bearing + math.pi) % (2 * math.pi) - math.pi)
     seen = (np.hypot(away[:, 0], away[:, 1]) <= gaze.range) & (off <= gaze.half_width)
     angle = np.arctan2(away[:, 1], away[:, 0])
-    bits = side_bit(angle - gaze.half_width) | side_bit(angle) | side_bit(angle + gaze.half_width)
+    bits = side_bit(angle - gaze.play) | side_bit(angle) | side_bit(angle + gaze.play)
     return np.where(seen, bits, 0).astype(np.uint8)
 
 

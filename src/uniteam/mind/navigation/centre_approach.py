@@ -2,18 +2,27 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc, disc_mask
-from uniteam.mind.navigation.distance_field import distance_field
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask, disc, disc_mask
 from uniteam.mind.navigation.exploration import ChooseGoal
 from uniteam.mind.navigation.goal import Goal
-from uniteam.mind.navigation.traversible import traversible
+from uniteam.mind.navigation.receptacles import group_cells
+from uniteam.mind.navigation.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import Window, window_around
+
+
+class _Side(NamedTuple):
+    """Where to stand before a side and what to face there, both (row, column); how many cells its free stretch has."""
+
+    stand: Cell
+    face: Cell
+    stretch: int
 
 
 @dataclass(frozen=True)
@@ -21,7 +30,8 @@ class CentreApproach:
     """Leads to the middle of the free stretch along a side of what another choice chose: UniTeam's `centre_approach`.
 
     The sides are those of the smallest rectangle around each connected group of the goal's cells. Where no side has a
-    free stretch, the other choice's goal stands.
+    free stretch, the other choice's goal stands; where one has a much longer stretch than another, the short one is no
+    choice.
 
     Attributes:
         choose: the other choice.
@@ -29,7 +39,6 @@ class CentreApproach:
         robot_cells: obstacles grow by so many cells where it stands, its own radius.
         min_stretch: a free stretch must be so long (m).
         play: how far from the middle is near enough (m).
-        min_cells: smaller groups are passed over.
     """
 
     choose: ChooseGoal
@@ -37,7 +46,6 @@ class CentreApproach:
     robot_cells: int = 6
     min_stretch: float = 0.2
     play: float = 0.15
-    min_cells: int = 8
 
     def __call__(self, bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
         """Return the goal of standing before the middle of a side and facing it."""
@@ -48,11 +56,11 @@ class CentreApproach:
         cells = window.cut(goal.cells)
         free = self._standing_room(bird_map, window, base)
         stands, faces = np.zeros_like(cells), np.zeros_like(cells)
-        for group in _groups(cells, self.min_cells):
-            for stand, face in self._middles(group, free, bird_map.cell_size):
+        for group in group_cells(cells):
+            for side in self._middles(group, free, bird_map.cell_size):
                 play = round(self.play / bird_map.cell_size)
-                stands |= disc_mask(cells.shape, stand, play) & free
-                faces |= disc_mask(cells.shape, face, play)
+                stands |= disc_mask(cells.shape, side.stand, play) & free
+                faces |= disc_mask(cells.shape, side.face, play)
         if not stands.any():
             return goal
         shape = bird_map.shape
@@ -61,40 +69,26 @@ class CentreApproach:
     def _standing_room(self, bird_map: BirdsEyeMap, window: Window, base: BasePose) -> Mask:
         """Return the cells where the robot can stand and to which there is a path."""
         robot = window.inside(bird_map.to_cell(base.x, base.y))
-        here = np.zeros((window.high[0] - window.low[0], window.high[1] - window.low[1]), dtype=np.bool_)
-        here[robot] = True
-        field = distance_field(traversible(bird_map, window, robot, dilation=3), here, bird_map.cell_size)
         blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), disc(self.robot_cells))
-        return np.isfinite(field) & (blocked == 0) & window.cut(bird_map.explored)
+        known = connected_to(robot, traversible(bird_map, window, robot, dilation=3))
+        return known & (blocked == 0) & window.cut(bird_map.explored)
 
-    def _middles(
-        self, group: NDArray[np.int32], free: Mask, cell_size: float
-    ) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
-        """Yield (where to stand, what to face), both (row, column), for each side of a (K, 2) group of (x, y) cells."""
-        corners = cv2.boxPoints(cv2.minAreaRect(group))
-        centre = corners.mean(axis=0)
+    def _middles(self, group: Mask, free: Mask, cell_size: float) -> Iterator[_Side]:
+        """Yield the sides of a group of cells that have a free stretch, but not the much shorter ones."""
+        corners = cv2.boxPoints(cv2.minAreaRect(cv2.findNonZero(group.view(np.uint8))))
         off = self.stand_off / cell_size
+        sides = []
         for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-            length = float(np.hypot(*(end - start)))
-            outward = (start + end) / 2 - centre
+            outward = (start + end) / 2 - corners.mean(axis=0)
             size = float(np.hypot(*outward))
-            if length < 1.0 or size < 1e-6:
-                continue
-            edge = start + np.linspace(0.0, 1.0, round(length) + 1)[:, None] * (end - start)
-            before = np.rint(edge + outward * (off / size)).astype(np.int32)
-            middle = _middle_of_longest_run(_at(free, before), round(self.min_stretch / cell_size))
-            if middle is not None:
-                (x, y), (face_x, face_y) = before[middle], np.rint(edge[middle]).astype(np.int32)
-                yield (int(y), int(x)), (int(face_y), int(face_x))
-
-
-def _groups(cells: Mask, min_cells: int) -> Iterator[NDArray[np.int32]]:
-    """Yield the (K, 2) (x, y) cells of each connected group that is large enough."""
-    count, labels = cv2.connectedComponents(cells.view(np.uint8), connectivity=8)
-    for index in range(1, count):
-        group = np.argwhere(labels == index)[:, ::-1]
-        if len(group) >= min_cells:
-            yield np.ascontiguousarray(group, dtype=np.int32)
+            if size > 0.5:
+                shares = np.linspace(0.0, 1.0, round(float(np.hypot(*(end - start)))) + 1)[:, None]
+                edge = start + shares * (end - start)
+                sides.append(_side(edge, np.rint(edge + outward * (off / size)).astype(np.int32), free))
+        longest = max((side.stretch for side in sides), default=0)
+        for side in sides:
+            if side.stretch * cell_size > self.min_stretch and side.stretch >= longest / 2:
+                yield side
 
 
 def _at(mask: Mask, points: NDArray[np.int32]) -> Mask:
@@ -104,11 +98,12 @@ def _at(mask: Mask, points: NDArray[np.int32]) -> Mask:
     return inside & mask[clipped[:, 1], clipped[:, 0]]
 
 
-def _middle_of_longest_run(flags: Mask, least: int) -> int | None:
-    """Return the index in the middle of the longest run of True that is longer than `least`, or None."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
-    starts, ends = edges[::2], edges[1::2]
-    if not len(starts) or (ends - starts).max() <= least:
-        return None
-    longest = int(np.argmax(ends - starts))
-    return int((starts[longest] + ends[longest] - 1) // 2)
+def _side(edge: NDArray[np.float64], before: NDArray[np.int32], free: Mask) -> _Side:
+    """Return a side by the longest free run of the places before its edge; both are (K, 2) cells (x, y)."""
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], _at(free, before), [False]]).astype(np.int8)))
+    if not len(ends):
+        return _Side((0, 0), (0, 0), 0)
+    lengths = ends[1::2] - ends[::2]
+    middle = int(ends[2 * int(np.argmax(lengths))] + (lengths.max() - 1) // 2)
+    (x, y), (face_x, face_y) = before[middle], np.rint(edge[middle]).astype(np.int32)
+    return _Side((int(y), int(x)), (int(face_y), int(face_x)), int(lengths.max()))

@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc
 from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.navigation.distance_field import distance_field
 from uniteam.mind.navigation.goal import Goal, GoalKind
@@ -15,7 +15,8 @@ from uniteam.mind.navigation.traversible import traversible
 from uniteam.mind.navigation.window import Window, window_around
 
 _DILATION = 3
-_MIN_CELLS = 4
+_GAP = 2
+_MOST = 12
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class MostProbableReceptacle:
 
 
 def find_receptacles(bird_map: BirdsEyeMap, base: BasePose, role: ClassRole, reach: float) -> Iterator[Receptacle]:
-    """Yield the receptacles of a class, without the smallest specks unless there is nothing else.
+    """Yield the largest receptacles of a class.
 
     Args:
         bird_map: the map.
@@ -66,20 +67,26 @@ def find_receptacles(bird_map: BirdsEyeMap, base: BasePose, role: ClassRole, rea
         reach: how far from a free cell a receptacle may lie to be within reach (m).
     """
     cells = bird_map.class_cells(role)
-    if not cells.any():
-        return
     window = window_around(bird_map, base, cells)
-    count, labels, stats, _ = cv2.connectedComponentsWithStats(window.cut(cells).view(np.uint8), connectivity=8)
-    sizes = stats[:, cv2.CC_STAT_AREA]
-    least = min(_MIN_CELLS, int(sizes[1:].max()))
     probability = window.cut(bird_map.class_probability(role))
     to_robot = _reachable_distance(bird_map, window, base)
-    for index in range(1, count):
-        if sizes[index] >= least:
-            group = labels == index
-            distance = _distance_around(to_robot, group, round(reach / bird_map.cell_size))
-            quartile = float(np.quantile(probability[group], 0.75))
-            yield Receptacle(window.paste(group, bird_map.shape), quartile, distance)
+    for group in group_cells(window.cut(cells)):
+        distance = _distance_around(to_robot, group, round(reach / bird_map.cell_size))
+        quartile = float(np.quantile(probability[group], 0.75))
+        yield Receptacle(window.paste(group, bird_map.shape), quartile, distance)
+
+
+def group_cells(cells: Mask) -> Iterator[Mask]:
+    """Yield the groups of an (H, W) mask that lie together, at most a dozen, the largest first.
+
+    Cells two apart still lie together: from afar a receptacle is seen in specks.
+    """
+    near = cv2.dilate(cells.view(np.uint8), disc(_GAP))
+    count, labels = cv2.connectedComponents(near, connectivity=8)
+    sizes = np.bincount(labels[cells], minlength=count)
+    for index in np.argsort(-sizes, kind="stable")[:_MOST]:
+        if sizes[index] > 0:
+            yield (labels == index) & cells
 
 
 def _reachable_distance(bird_map: BirdsEyeMap, window: Window, base: BasePose) -> np.ndarray:

@@ -1,0 +1,232 @@
+"""UniTeam's navigation strategies: each in a situation that the baseline's value does not master."""
+
+import math
+
+import numpy as np
+import pytest
+from box_world import Box, observe, room
+from driving import INSTRUCTION, Drive, arrived
+
+from uniteam.geometry import BasePose
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig, disc_mask
+from uniteam.mind.mapping.class_role import ClassRole, role_scores
+from uniteam.mind.navigation.centre_approach import CentreApproach
+from uniteam.mind.navigation.collision_memory import (
+    COLLISION_MAPPING,
+    PATCH_UNTIL_REPLAN,
+    BlockedMotion,
+    CollisionMemory,
+)
+from uniteam.mind.navigation.commitment import Commitment, StuckDetector, never_stuck
+from uniteam.mind.navigation.exploration import (
+    FIND_RECEPTACLE,
+    ChooseGoal,
+    frontier,
+    goal_receptacle,
+    start_receptacle_not_been_close,
+)
+from uniteam.mind.navigation.goal import Goal, GoalKind
+from uniteam.mind.navigation.planner import PlannerConfig
+from uniteam.mind.navigation.receptacles import MostProbableReceptacle, find_receptacles
+from uniteam.mind.navigation.surround import SurroundStartReceptacle
+
+START = BasePose(0.0, 0.0, 0.0)
+ROOM = room(-3.0, -3.0, 3.0, 3.0)
+
+
+def bed(x0: float, y0: float, x1: float, y1: float, score: float = 1.0) -> Box:
+    return Box((x0, y0, 0.0), (x1, y1, 0.5), "bed", score)
+
+
+# --- receptacle_probability
+
+
+def test_the_more_probable_receptacle_is_chosen_over_the_nearer_one() -> None:
+    boxes = (*ROOM, bed(1.0, -0.3, 1.6, 0.3, 0.5), bed(-2.8, -1.0, -2.2, 1.0, 0.95))
+    drive = Drive.begin(boxes, START)
+    nearest, probable = (
+        drive.planner.plan(drive.bird_map, drive.base, goal)
+        for goal in (goal_receptacle(drive.bird_map, START), MostProbableReceptacle()(drive.bird_map, START))
+        if goal is not None
+    )
+    assert nearest.path[-1][0] > 0.3
+    assert probable.path[-1][0] < -1.5
+
+
+def test_among_equals_the_nearest_receptacle_is_chosen() -> None:
+    drive = Drive.begin((*ROOM, bed(1.0, -0.3, 1.6, 0.3, 0.93), bed(-2.8, -1.0, -2.2, 1.0, 0.95)), START)
+    goal = MostProbableReceptacle()(drive.bird_map, drive.base)
+    assert goal is not None
+    assert (drive.bird_map.points_of(goal.cells)[:, 0] > 0.9).all()
+
+
+def test_a_probable_receptacle_that_cannot_be_reached_is_passed_over() -> None:
+    drive = Drive.begin((*ROOM, bed(1.0, -0.3, 1.6, 0.3, 0.6), bed(-2.8, -1.0, -2.2, 1.0, 0.95)), START)
+    drive.bird_map.obstacle[:, drive.bird_map.to_cell(-1.2, 0.0)[1]] = True
+    goal = MostProbableReceptacle()(drive.bird_map, drive.base)
+    assert goal is not None
+    assert (drive.bird_map.points_of(goal.cells)[:, 0] > 0.9).all()
+    distances = [r.distance for r in find_receptacles(drive.bird_map, START, ClassRole.GOAL_RECEPTACLE, 0.75)]
+    assert sorted(np.isinf(distances)) == [False, True]
+
+
+# --- early_goal_memory
+
+
+def test_a_goal_receptacle_seen_far_away_is_remembered_and_headed_for() -> None:
+    far = bed(6.5, -1.0, 7.5, 1.0)
+    boxes = (*room(-3.0, -3.0, 8.0, 3.0), far)
+    baseline = Drive.begin(boxes, START)
+    remembering = Drive.begin(boxes, START, map_config=MapConfig(class_depths=(3.5, 3.5, 10.0)))
+    assert baseline.step(FIND_RECEPTACLE)[0].kind is GoalKind.FRONTIER
+    goal, plan = remembering.step(FIND_RECEPTACLE)
+    assert goal.kind is GoalKind.GOAL_RECEPTACLE
+    assert plan.path[-1][0] > 5.5
+    assert not remembering.bird_map.obstacle[remembering.bird_map.to_cell(6.52, 0.0)]
+
+
+def test_a_goal_receptacle_on_the_map_is_remembered_by_both_agents() -> None:
+    drive = Drive.begin((*ROOM, bed(-2.8, -1.0, -2.0, 1.0)), START)
+    drive.boxes = ROOM
+    drive.run((frontier,), 10)
+    assert goal_receptacle(drive.bird_map, drive.base) is not None
+
+
+# --- collision_mapping
+
+GLASS = Box((1.2, -0.6, 0.0), (1.25, 0.6, 0.09))
+"""Too low for the map, high enough to block the robot."""
+
+
+@pytest.mark.parametrize(("collisions", "tries_again"), [(PATCH_UNTIL_REPLAN, True), (COLLISION_MAPPING, False)])
+def test_a_passage_that_proved_too_narrow_is_not_tried_again(collisions: CollisionMemory, tries_again: bool) -> None:
+    drive = Drive.begin(ROOM, START, PlannerConfig(collisions=collisions))
+    shut = drive.bird_map.to_cell(0.6, 0.0)
+    drive.bird_map.obstacle[:, shut[1]] = True
+    drive.bird_map.obstacle[shut[0] - 4 : shut[0] + 5, shut[1]] = False
+    cells = disc_mask(drive.bird_map.shape, drive.bird_map.to_cell(2.4, 0.0), 2)
+    goal = Goal(GoalKind.GOAL_RECEPTACLE, cells, face=cells)
+    assert drive.planner.plan(drive.bird_map, drive.base, goal).reachable
+    for k in range(4):
+        collisions.write(drive.bird_map, BlockedMotion(BasePose(0.35, 0.0, 0.0), (0.6, 0.0), k + 1))
+    before = drive.bird_map.collision.sum()
+    plan = drive.planner.plan(drive.bird_map, drive.base, goal)
+    assert plan.reachable is tries_again
+    assert drive.bird_map.collision.sum() == (0 if tries_again else before)
+
+
+@pytest.mark.parametrize("config", [PlannerConfig(), PlannerConfig(collisions=COLLISION_MAPPING)])
+def test_an_unseen_obstacle_is_got_around(config: PlannerConfig) -> None:
+    drive = Drive.begin((*ROOM, GLASS), START, config)
+    point = (2.4, 0.0)
+
+    def goal(bird_map: BirdsEyeMap, base: BasePose) -> Goal:
+        cells = disc_mask(bird_map.shape, bird_map.to_cell(*point), 2)
+        return Goal(GoalKind.GOAL_RECEPTACLE, cells, face=cells)
+
+    drive.run((goal,), 90, arrived)
+    assert drive.blocked > 0
+    assert drive.base.distance_to(*point) < 0.8
+
+
+# --- goal_or_frontier
+
+
+def test_a_stall_and_an_oscillation_are_noticed_and_a_drive_is_not() -> None:
+    stuck = StuckDetector()
+    driving = [BasePose(0.25 * k, 0.0, 0.0) for k in range(40)]
+    swinging = [BasePose(0.0, 0.0, (k % 2) * math.radians(30.0)) for k in range(20)]
+    pacing = [BasePose(0.25 * abs(4 - k % 8), 0.0, math.pi * (k % 8 >= 4)) for k in range(48)]
+    assert not stuck(driving)
+    assert stuck([START] * 24)
+    assert not stuck([START] * 20)
+    assert stuck(swinging)
+    assert stuck(pacing)
+    assert not never_stuck(swinging)
+
+
+@pytest.mark.parametrize(("commitment", "gets_on"), [(Commitment(), False), (Commitment(StuckDetector()), True)])
+def test_a_robot_that_is_stuck_on_its_way_to_the_goal_turns_to_a_frontier(
+    commitment: Commitment, gets_on: bool
+) -> None:
+    sill = Box((1.0, -3.0, 0.0), (1.05, 3.0, 0.09))  # too low to be mapped, and across the whole room
+    drive = Drive.begin((*room(-6.0, -3.0, 3.0, 3.0), sill, bed(2.2, -0.5, 2.9, 0.5)), START)
+    drive.commitment = commitment
+    drive.run(FIND_RECEPTACLE, 90)
+    assert bool(min(base.x for base in drive.trail) < -1.0) is gets_on
+    assert bool(commitment.left) is gets_on
+
+
+# --- surround_start_receptacle
+
+
+@pytest.mark.parametrize(
+    ("choose", "finds_it"), [(start_receptacle_not_been_close, False), (SurroundStartReceptacle(), True)]
+)
+def test_an_object_hidden_on_the_far_side_of_its_receptacle_is_found(choose: ChooseGoal, finds_it: bool) -> None:
+    table = Box((-0.25, -0.25, 0.0), (0.25, 0.25, 0.75), "table")
+    screen = Box((-0.05, -0.25, 0.75), (0.0, 0.25, 1.4))
+    cup = Box((0.05, -0.05, 0.75), (0.15, 0.05, 0.85), "cup")
+    drive = Drive.begin((*ROOM, table, screen, cup), BasePose(-2.4, 0.0, 0.0))
+    drive.run((choose,), 150)
+    assert bool(drive.bird_map.object_on_start_receptacle().any()) is finds_it
+
+
+def test_the_robot_looks_at_the_receptacle_from_where_it_was_sent() -> None:
+    table = Box((-0.5, -0.5, 0.0), (0.5, 0.5, 0.75), "table")
+    drive = Drive.begin((*ROOM, table), BasePose(-2.4, 0.2, 0.0))
+    drive.run((SurroundStartReceptacle(),), 150)
+    cells = drive.bird_map.class_cells(ClassRole.START_RECEPTACLE)
+    assert (np.bitwise_or.reduce(drive.bird_map.looked_from[cells])) == 0b1111
+
+
+def test_against_a_wall_only_the_free_sides_are_looked_at() -> None:
+    table = Box((1.9, -0.6, 0.0), (2.98, 0.6, 0.75), "table")
+    drive = Drive.begin((*ROOM, table), START)
+    assert drive.run((SurroundStartReceptacle(),), 150) is None
+
+
+# --- centre_approach
+
+
+def test_the_robot_ends_before_the_centre_of_the_side_and_not_at_its_nearest_corner() -> None:
+    counter = bed(-1.0, 2.3, 1.8, 2.98)
+    ends = []
+    for choose in (goal_receptacle, CentreApproach(goal_receptacle)):
+        drive = Drive.begin((*ROOM, counter), BasePose(-2.0, 0.0, 0.0))
+        found = drive.run((choose, frontier), 80, arrived)
+        assert found is not None
+        assert found[1].reached
+        ends.append(drive.base)
+    nearest, centre = ends
+    assert nearest.x < -0.3
+    assert centre.x == pytest.approx(0.4, abs=0.35)
+    assert centre.y == pytest.approx(2.3 - 0.45, abs=0.2)
+    assert abs(centre.bearing_to(centre.x, 3.0)) <= math.radians(20.0)
+
+
+def test_a_side_that_is_partly_blocked_is_approached_at_the_middle_of_what_is_free() -> None:
+    counter = bed(-1.0, 2.3, 1.8, 2.98)
+    chair = Box((-1.0, 1.4, 0.0), (0.2, 2.2, 0.9))
+    drive = Drive.begin((*ROOM, counter, chair), START)
+    drive.run((CentreApproach(goal_receptacle), frontier), 80, arrived)
+    assert drive.base.x == pytest.approx(1.2, abs=0.4)
+
+
+def test_where_no_side_is_free_the_other_choice_stands() -> None:
+    drive = Drive.begin((*ROOM, bed(1.0, -0.3, 1.6, 0.3)), START)
+    drive.bird_map.obstacle[:] |= disc_mask(drive.bird_map.shape, drive.bird_map.to_cell(1.3, 0.0), 16)
+    goal = CentreApproach(goal_receptacle)(drive.bird_map, drive.base)
+    plain = goal_receptacle(drive.bird_map, drive.base)
+    assert goal is not None
+    assert plain is not None
+    assert (goal.cells == plain.cells).all()
+
+
+def test_without_a_receptacle_there_is_nothing_to_approach() -> None:
+    bird_map = BirdsEyeMap()
+    observation = observe(ROOM, START)
+    assert observation.truth is not None
+    bird_map.update(observation, observation.truth, role_scores(INSTRUCTION))
+    choices = (MostProbableReceptacle(), CentreApproach(goal_receptacle), SurroundStartReceptacle())
+    assert all(choose(bird_map, START) is None for choose in choices)
