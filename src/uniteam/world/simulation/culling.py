@@ -15,7 +15,7 @@ TILE = 8
 """Side of a tile of the coarse depth buffer (pixels)."""
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def screen_bounds(buffers: SceneBuffers, view: NDArray[np.float32], width: int, height: int) -> NDArray[np.float32]:
     """Return (P, 5): low and high column, low and high row of each part's box on the screen, largest inverse depth.
 
@@ -63,7 +63,7 @@ def screen_bounds(buffers: SceneBuffers, view: NDArray[np.float32], width: int, 
     return bounds
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def drawing_order(bounds: NDArray[np.float32], is_stage: NDArray[np.bool_]) -> NDArray[np.int32]:
     """Return the parts that can be seen: the stage first, then the others, each from the nearest to the farthest."""
     order = np.empty(bounds.shape[0], dtype=np.int32)
@@ -80,14 +80,14 @@ def drawing_order(bounds: NDArray[np.float32], is_stage: NDArray[np.bool_]) -> N
     return order[:count]
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def _is_before(part: int, other: int, bounds: NDArray[np.float32], is_stage: NDArray[np.bool_]) -> bool:
     if is_stage[part] != is_stage[other]:
         return is_stage[part]
     return bounds[part, 4] > bounds[other, 4]
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def coarsen(inverse_depth: NDArray[np.float32], coarse: NDArray[np.float32]) -> None:
     """Write the smallest inverse depth of each tile: (H, W) float32 to (ceil(H / TILE), ceil(W / TILE))."""
     height, width = inverse_depth.shape
@@ -103,7 +103,7 @@ def coarsen(inverse_depth: NDArray[np.float32], coarse: NDArray[np.float32]) -> 
             coarse[row, column] = smallest
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def is_hidden(bound: NDArray[np.float32], coarse: NDArray[np.float32]) -> bool:
     """Say whether everything drawn so far is nearer than a part, over its whole rectangle (5,) of the screen."""
     first_column, last_column = int(bound[0]) // TILE, math.ceil(bound[1]) // TILE

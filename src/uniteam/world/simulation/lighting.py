@@ -60,7 +60,7 @@ def _tint(color: tuple[float, float, float]) -> NDArray[np.float32]:
     return (np.maximum(np.array(color), 0.0) ** (1.0 / GAMMA)).astype(np.float32)
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def place_part(
     vertices: NDArray[np.float32],
     normals: NDArray[np.float32],
@@ -92,7 +92,7 @@ def place_part(
         world_light[k, 1] = _light_at(x, y, z, -nx, -ny, -nz, light)
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def _light_at(
     x: np.float32, y: np.float32, z: np.float32, nx: np.float32, ny: np.float32, nz: np.float32,
     light: NDArray[np.float32],
@@ -112,7 +112,7 @@ def _light_at(
     return np.float32(total ** (1.0 / GAMMA))
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def _open_share(distance: np.float32, along: np.float32) -> np.float32:
     """Return the share of light left near one of the room's six planes, whose inward normal has cosine `along`."""
     near = max(distance, np.float32(0.0)) / np.float32(_CORNER_REACH)

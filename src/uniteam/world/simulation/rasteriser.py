@@ -20,7 +20,7 @@ PARTS_BETWEEN_COARSENINGS = 12
 """So many parts are drawn before the coarse depth buffer is brought up to date."""
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def rasterise(buffers: SceneBuffers, view: NDArray[np.float32], workspace: Workspace) -> None:
     """Draw every visible part.
 
@@ -49,7 +49,7 @@ def rasterise(buffers: SceneBuffers, view: NDArray[np.float32], workspace: Works
         _draw_part(buffers, part, view, screen, inverse_depth, triangle_at)
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def _project_part(buffers: SceneBuffers, part: int, view: NDArray[np.float32], screen: NDArray[np.float32]) -> None:
     """Write the screen position of a part's vertices; inverse depth is -1 in front of the near plane."""
     near = np.float32(NEAR)
@@ -62,7 +62,7 @@ def _project_part(buffers: SceneBuffers, part: int, view: NDArray[np.float32], s
         screen[k, 2] = inverse if w >= near else np.float32(-1.0)
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def _draw_part(
     buffers: SceneBuffers,
     part: int,
@@ -91,12 +91,12 @@ def _draw_part(
         )  # fmt: skip
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, error_model="numpy")
 def _corner(x: np.float32, y: np.float32, w: np.float32) -> Corner:
     return np.float64(x), np.float64(y), np.float64(w)
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def _draw_clipped(
     buffers: SceneBuffers,
     t: int,
@@ -132,7 +132,7 @@ def _draw_clipped(
 
 
 # Sums keep their order here (no `fastmath=True`), so that an edge is the same edge from both of its sides.
-@njit(cache=True, nogil=True, fastmath={"nnan", "ninf", "nsz"})
+@njit(cache=True, nogil=True, fastmath={"nnan", "ninf", "nsz"}, error_model="numpy", inline="always")
 def _fill(
     inverse_depth: NDArray[np.float32], triangle_at: NDArray[np.int32], t: int, p0: Corner, p1: Corner, p2: Corner
 ) -> None:

@@ -55,8 +55,8 @@ def _add_material(spec: Any, buffers: SceneBuffers, material: int) -> None:
     if last_level == 0:
         return
     width, height = 1 << int(log2_width), 1 << int(log2_height)
-    texels = buffers.texels[start : start + width * height]
-    image = np.stack([texels & 255, (texels >> 8) & 255, (texels >> 16) & 255], axis=1).astype(np.uint8)
+    texels = buffers.texels[start : start + (width + 1) * (height + 1)].reshape(height + 1, width + 1)[:-1, :-1]
+    image = np.stack([texels & 255, (texels >> 8) & 255, (texels >> 16) & 255], axis=-1).astype(np.uint8)
     texture = spec.add_texture(
         name=f"texture_{material}", type=mujoco.mjtTexture.mjTEXTURE_2D, width=width, height=height, nchannel=3
     )

@@ -22,7 +22,7 @@ _LAYOUT_LEVELS = 3
 """Column of the texture layout where the levels' starts begin."""
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
 def shade(
     buffers: SceneBuffers,
     rays: NDArray[np.float32],
@@ -68,6 +68,10 @@ def shade(
                 normal = _cross(edge_2, edge_1)
                 across_1 = _cross(edge_2, offset)
                 across_2 = _cross(offset, edge_1)
+                # The camera is on one side of a triangle's plane, whichever of its pixels is looked at.
+                side = 0 if _dot(offset, normal) < zero else 1
+                light_0 = buffers.light[a, side]
+                light_1, light_2 = buffers.light[b, side] - light_0, buffers.light[c, side] - light_0
                 part, material = buffers.triangle_parts[t], buffers.triangle_materials[t]
                 label = buffers.part_labels[part]
                 red = buffers.part_tints[part, 0] * buffers.material_colors[material, 0]
@@ -82,15 +86,11 @@ def shade(
             step = np.float32(x)
             ray = (start_x + step * rays[2, 0], start_y + step * rays[2, 1], start_z + step * rays[2, 2])
             facing = _dot(ray, normal)
-            inverse = one / facing
+            inverse = one / facing if facing != zero else zero
             share_1 = min(max(_dot(ray, across_1) * inverse, zero), one)
             share_2 = min(max(_dot(ray, across_2) * inverse, zero), one)
             distance = one / inverse_depth[y, x]
-            side = 0 if facing > zero else 1
-            light_0 = buffers.light[a, side]
-            light = (
-                light_0 + share_1 * (buffers.light[b, side] - light_0) + share_2 * (buffers.light[c, side] - light_0)
-            )
+            light = light_0 + share_1 * light_1 + share_2 * light_2
             texel_red = texel_green = texel_blue = np.float32(255.0)
             if not is_plain:
                 uv = (u0 + share_1 * u1 + share_2 * u2, v0 + share_1 * v1 + share_2 * v2)
@@ -105,7 +105,7 @@ def shade(
             instances[y, x] = label
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _sample(
     texels: NDArray[np.uint32], layouts: NDArray[np.int32], texture: int, uv: Pair, footprint: np.float32
 ) -> Triple:
@@ -118,10 +118,9 @@ def _sample(
     low_column, low_row = np.floor(column), np.floor(row)
     right, down = column - low_column, row - low_row
     x0, y0 = np.int64(low_column) & (columns - 1), np.int64(low_row) & (rows - 1)
-    x1, y1 = (x0 + 1) & (columns - 1), (y0 + 1) & (rows - 1)
-    upper = np.int64(layouts[texture, _LAYOUT_LEVELS + level]) + (y0 << log2_width)
-    lower = np.int64(layouts[texture, _LAYOUT_LEVELS + level]) + (y1 << log2_width)
-    a, b, c, d = texels[upper + x0], texels[upper + x1], texels[lower + x0], texels[lower + x1]
+    upper = np.int64(layouts[texture, _LAYOUT_LEVELS + level]) + y0 * (columns + 1) + x0
+    lower = upper + columns + 1
+    a, b, c, d = texels[upper], texels[upper + 1], texels[lower], texels[lower + 1]
     one = np.float32(1.0)
     wa, wb, wc, wd = (one - right) * (one - down), right * (one - down), (one - right) * down, right * down
     red = wa * _channel(a, 0) + wb * _channel(b, 0) + wc * _channel(c, 0) + wd * _channel(d, 0)
@@ -130,38 +129,38 @@ def _sample(
     return red, green, blue
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _channel(texel: np.uint32, shift: int) -> np.float32:
     return np.float32(np.int32((texel >> np.uint32(shift)) & np.uint32(255)))
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _mip_level(footprint: np.float32) -> int:
     """Return half the binary logarithm of a pixel's area in texels, rounded: each level quarters it."""
     exponent = (np.float32(footprint * np.float32(2.0)).view(np.int32) >> 23) - 127
     return max(exponent >> 1, 0)
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _row(array: NDArray[np.float32], k: int) -> Triple:
     return array[k, 0], array[k, 1], array[k, 2]
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _minus(a: Triple, b: Triple) -> Triple:
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _cross(a: Triple, b: Triple) -> Triple:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _dot(a: Triple, b: Triple) -> np.float32:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@njit(cache=True, nogil=True, fastmath=True)
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _norm(a: Triple) -> np.float32:
     return np.sqrt(_dot(a, a))

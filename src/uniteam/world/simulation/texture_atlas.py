@@ -17,7 +17,8 @@ class MipChain:
     """One texture with every level of its pyramid, ready to be packed.
 
     Attributes:
-        texels: (K,) uint32 of 0x00BBGGRR, level after level, each row by row.
+        texels: (K,) uint32 of 0x00BBGGRR, level after level, each row by row. A level has its first column and its
+            first row once more at its end, so that a texel's neighbours always follow it.
         log2_width, log2_height: of level 0.
         starts: (MAX_LEVELS,) int32, where each level begins in `texels`; the last level repeats.
         last_level: index of the level that is one texel large.
@@ -52,7 +53,7 @@ def _log2_size(size: int) -> int:
 
 
 def _pack(image: NDArray[Any]) -> NDArray[np.uint32]:
-    rgb = image.reshape(-1, 3).astype(np.uint32)
+    rgb = np.pad(image, ((0, 1), (0, 1), (0, 0)), mode="wrap").reshape(-1, 3).astype(np.uint32)
     return np.asarray(rgb[:, 0] | (rgb[:, 1] << 8) | (rgb[:, 2] << 16), dtype=np.uint32)
 
 
