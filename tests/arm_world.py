@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from box_world import CAMERA, RADIUS, Box, cast, clearance, segmentation
 
-from uniteam.geometry import BasePose, transform_points
+from uniteam.geometry import BasePose, PinholeCamera, transform_points
 from uniteam.interface import Action, BaseDisplacement, DiscreteAction, Instruction, JointDisplacement, Observation
 from uniteam.mind.manipulation.skill import Skill
 from uniteam.mind.manipulation.view import View
@@ -30,6 +30,7 @@ class ArmWorld:
         boxes: what there is (m, start frame).
         base: where the robot stands.
         target: name of the boxes that the gripper takes.
+        camera: the head camera.
         hits: names (or "box") of what the gripper or what it holds has met, one a step.
         released: the grasp centre (m, start frame) where the gripper let go.
     """
@@ -37,6 +38,7 @@ class ArmWorld:
     boxes: tuple[Box, ...]
     base: BasePose
     target: str = "cup"
+    camera: PinholeCamera = CAMERA
     held: Box | None = None
     hits: list[str] = field(default_factory=list)
     released: Point | None = None
@@ -47,10 +49,10 @@ class ArmWorld:
     def observe(self) -> Observation:
         """Return what the head camera sees; the robot itself is invisible."""
         pose = self.base.matrix() @ head_camera_to_base(self.joints)
-        depth, seen = cast(self.boxes, pose, CAMERA)
+        depth, seen = cast(self.boxes, pose, self.camera)
         truth = segmentation(self.boxes, seen)
-        rgb = np.zeros((CAMERA.height, CAMERA.width, 3), dtype=np.uint8)
-        return Observation(rgb, depth, CAMERA, pose, self.base, self.joints, self.held is not None, 0, truth)
+        rgb = np.zeros((self.camera.height, self.camera.width, 3), dtype=np.uint8)
+        return Observation(rgb, depth, self.camera, pose, self.base, self.joints, self.held is not None, 0, truth)
 
     def view(self, instruction: Instruction) -> View:
         """Return the view in which every named box is believed."""

@@ -30,13 +30,15 @@ class Misses:
     """The failed attempts of an episode.
 
     Attributes:
-        made: in the order in which they were made.
+        made: those that are remembered, in the order in which they were made.
+        count: how many there were, the forgotten ones too.
         same_target: targets closer together (m) are one.
         same_stand: stands closer together (m) are one.
         patience: after so many misses of one target it is given up.
     """
 
     made: list[Miss] = field(default_factory=list)
+    count: int = 0
     same_target: float = 0.5
     same_stand: float = 0.3
     patience: int = 3
@@ -44,6 +46,11 @@ class Misses:
     def add(self, miss: Miss) -> None:
         """Remember one more."""
         self.made.append(miss)
+        self.count += 1
+
+    def forget(self) -> None:
+        """Forget where they were, so that what failed once may be tried again."""
+        self.made.clear()
 
     def given_up(self) -> tuple[tuple[float, float], ...]:
         """Return the targets that were missed too often."""

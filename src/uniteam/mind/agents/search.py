@@ -58,7 +58,7 @@ def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, F
         choices = memory.commitment.choices([misses.avoided_by(choose) for choose in choices])
         found = plan_first(memory.planner, memory.bird_map, base, choices)
     if found is None:
-        return _look_again(memory)
+        return _look_again(memory, misses)
     memory.idle_turns = 0
     goal, plan = memory.goal, memory.plan = found
     memory.commitment.follow(base, plan)
@@ -94,11 +94,14 @@ def _choices(search: Search, memory: Memory) -> tuple[tuple[ChooseGoal, ...], Mi
     return memory.config.find_receptacle, memory.place_misses
 
 
-def _look_again(memory: Memory) -> tuple[Step | None, Finding]:
-    """Turn once around where nothing is left to head for; give up when that has changed nothing."""
+def _look_again(memory: Memory, misses: Misses) -> tuple[Step | None, Finding]:
+    """Turn once around where nothing is left to head for; then try again where an attempt has failed, or give up."""
     memory.idle_turns += 1
-    if memory.idle_turns > FULL_TURN:
+    if memory.idle_turns > FULL_TURN and not misses.made:
         return None, Finding.GIVEN_UP
+    if memory.idle_turns > FULL_TURN:
+        memory.idle_turns = 0
+        misses.forget()
     return Step(DiscreteAction.TURN_LEFT, "Nothing is left that I can get to, so I look around again."), Finding.NOTHING
 
 

@@ -1,0 +1,228 @@
+"""The agents as values: names, mixtures, descriptions, and what they make of imperfect eyes."""
+
+import json
+import math
+from collections import Counter
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from arm_world import ArmWorld
+from box_world import Box, observe, room
+
+from uniteam.errors import InvalidInputError, UnknownNameError
+from uniteam.geometry import BasePose, PinholeCamera
+from uniteam.interface import (
+    Action,
+    BaseDisplacement,
+    Decision,
+    Detection,
+    DiscreteAction,
+    Instruction,
+    Observation,
+    Segmentation,
+)
+from uniteam.mind.agents.config import BASELINE
+from uniteam.mind.agents.describe import describe
+from uniteam.mind.agents.heuristic_agent import HeuristicAgent
+from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.agents.registry import AGENT_NAMES, agent_config, describe_agent, make_agent, needs_truth
+
+INSTRUCTION = Instruction("cup", "table", "bed")
+UNITEAM = BASELINE.with_improvements(set(Improvement))
+IMPATIENT = {
+    name: replace(config, place=replace(config.place, rest_steps=2))
+    for name, config in {"baseline": BASELINE, "uniteam": UNITEAM}.items()
+}
+CAMERA = PinholeCamera.from_horizontal_fov(120, 160, math.radians(42.0))
+TABLE = Box((1.6, -0.8, 0.0), (2.4, 0.8, 0.7), "table")
+CUP = Box((1.7, -0.04, 0.7), (1.78, 0.04, 0.8), "cup")
+BED = Box((-2.4, -0.9, 0.0), (-0.9, 0.9, 0.5), "bed")
+ROOM = room(-3.0, -2.5, 3.0, 2.5)
+
+
+def drive(agent: HeuristicAgent, world: ArmWorld, most_steps: int = 400) -> list[Decision]:
+    """Let an agent act until it stops."""
+    agent.reset(INSTRUCTION, seed=3)
+    decisions: list[Decision] = []
+    while len(decisions) < most_steps:
+        decision = agent.act(world.observe())
+        decisions.append(decision)
+        if decision.action is DiscreteAction.STOP:
+            break
+        world.do(_moved(decision.action))
+    return decisions
+
+
+def _moved(action: Action) -> Action:
+    motions: dict[Action, Action] = {
+        DiscreteAction.MOVE_FORWARD: BaseDisplacement(x=0.25),
+        DiscreteAction.TURN_LEFT: BaseDisplacement(heading=math.radians(30)),
+        DiscreteAction.TURN_RIGHT: BaseDisplacement(heading=-math.radians(30)),
+    }
+    return motions.get(action, action)
+
+
+def states(decisions: list[Decision]) -> list[str]:
+    """Return the states in the order in which they came, repetitions left out."""
+    return [d.state for i, d in enumerate(decisions) if i == 0 or decisions[i - 1].state != d.state]
+
+
+def see_truth(observation: Observation, instruction: Instruction) -> Segmentation:
+    assert observation.truth is not None
+    return observation.truth
+
+
+@pytest.mark.parametrize("config", IMPATIENT.values(), ids=IMPATIENT.keys())
+def test_the_machine_goes_from_looking_around_to_stop_in_one_room(config) -> None:
+    world = ArmWorld((*ROOM, TABLE, CUP, BED), BasePose(0.0, 0.0, math.pi / 2), camera=CAMERA)
+    decisions = drive(HeuristicAgent(config, see_truth), world)
+    assert states(decisions)[0] == "LOOK_AROUND"
+    assert states(decisions)[-3:] == ["NAVIGATE_TO_RECEPTACLE", "PLACE", "DONE"]
+    assert "PICK" in states(decisions)
+    assert [d.state for d in decisions].count("LOOK_AROUND") == 12
+    assert decisions[-1].action is DiscreteAction.STOP
+    assert world.released is not None
+    x, y, z = world.released
+    assert -2.4 < x < -0.9 and -0.9 < y < 0.9 and z > 0.5
+    assert world.hits == []
+
+
+def test_every_decision_gives_a_reason_that_is_a_sentence_and_an_overlay_that_can_be_drawn() -> None:
+    world = ArmWorld((*ROOM, TABLE, CUP, BED), BasePose(0.0, 0.0, 0.0), camera=CAMERA)
+    agent = HeuristicAgent(UNITEAM, see_truth)
+    agent.reset(INSTRUCTION, seed=1)
+    for _ in range(40):
+        decision = agent.act(world.observe())
+        assert decision.reason[0].isupper() and decision.reason.endswith(".")
+        assert decision.segmentation is not None and decision.overlay is not None
+        overlay = decision.overlay()
+        assert overlay.labels.ndim == 2 and overlay.labels.any()
+        world.do(_moved(decision.action))
+
+
+def test_verify_pick_returns_to_the_search_and_the_baseline_carries_nothing_to_the_bed() -> None:
+    """The thing that perception calls a cup is none, so the gripper stays empty."""
+    fake = Box(CUP.low, CUP.high, "cup")
+    worlds = [
+        ArmWorld((*ROOM, TABLE, fake, BED), BasePose(0.0, 0.0, 0.0), camera=CAMERA, target="nothing") for _ in range(2)
+    ]
+    baseline = drive(HeuristicAgent(BASELINE, see_truth), worlds[0], 150)
+    improved = drive(HeuristicAgent(BASELINE.with_improvements({Improvement.VERIFY_PICK}), see_truth), worlds[1], 150)
+    assert "PLACE" in states(baseline)
+    after_pick = states(improved)[states(improved).index("PICK") + 1]
+    assert after_pick in ("FIND_OBJECT", "NAVIGATE_TO_OBJECT")
+    assert "PLACE" not in states(improved)
+    picks = [i for i, d in enumerate(improved) if d.action is DiscreteAction.SNAP_OBJECT]
+    assert len(picks) >= 2
+
+
+def doubtful(observation: Observation, instruction: Instruction) -> Segmentation:
+    """Waver over every thing, name the bed's neighbour a bed too, and see a cup in the wall with little certainty."""
+    truth = see_truth(observation, instruction)
+    detections = tuple(
+        Detection(((d.name, 0.62), ("lamp", 0.3))) if d.name != "lamp" else Detection((("bed", 0.3), ("lamp", 0.2)))
+        for d in truth.detections
+    )
+    ghost = Detection((("cup", 0.2), ("vase", 0.1)))
+    instances = truth.instances.copy()
+    instances[:4, :4] = len(detections)
+    return Segmentation(instances, (*detections, ghost))
+
+
+@pytest.mark.parametrize("config", IMPATIENT.values(), ids=IMPATIENT.keys())
+def test_wavering_and_wrong_detections_go_through_filters_and_machine_to_the_right_end(config) -> None:
+    lamp = Box((-1.4, 1.9, 0.0), (-1.0, 2.3, 0.6), "lamp")
+    world = ArmWorld((*ROOM, TABLE, CUP, BED, lamp), BasePose(0.0, 0.0, 0.0), camera=CAMERA)
+    decisions = drive(HeuristicAgent(config, doubtful), world)
+    assert states(decisions)[-1] == "DONE"
+    assert world.released is not None
+    assert -2.4 < world.released[0] < -0.9 and -0.9 < world.released[1] < 0.9
+
+
+@pytest.mark.parametrize("config", IMPATIENT.values(), ids=IMPATIENT.keys())
+def test_blind_eyes_lead_to_exploring_and_in_the_end_to_giving_up(config) -> None:
+    def blind(observation: Observation, instruction: Instruction) -> Segmentation:
+        return Segmentation(np.full(observation.depth.shape, -1, dtype=np.int16), ())
+
+    world = ArmWorld((*room(-1.5, -1.5, 1.5, 1.5), CUP), BasePose(0.0, 0.0, 0.0), camera=CAMERA)
+    decisions = drive(HeuristicAgent(config, blind), world, 200)
+    assert set(states(decisions)) <= {"LOOK_AROUND", "FIND_OBJECT", "DONE"}
+    assert decisions[-1].action is DiscreteAction.STOP
+    assert "give up" in decisions[-1].reason
+
+
+def test_one_seed_gives_one_trace_and_another_seed_another() -> None:
+    agent = make_agent("random")
+    observation = observe((), BasePose(0.0, 0.0, 0.0))
+
+    def actions(seed: int) -> list[Action]:
+        agent.reset(INSTRUCTION, seed)
+        return [agent.act(observation).action for _ in range(40)]
+
+    assert actions(4) == actions(4)
+    assert actions(4) != actions(5)
+
+
+def test_the_random_agent_chooses_every_discrete_action_about_as_often() -> None:
+    agent = make_agent("random")
+    agent.reset(INSTRUCTION, 0)
+    observation = observe((), BasePose(0.0, 0.0, 0.0))
+    counts = Counter(agent.act(observation).action for _ in range(2000))
+    assert set(counts) == set(DiscreteAction)
+    assert min(counts.values()) > 140 and max(counts.values()) < 260
+
+
+def test_there_are_fourteen_improvements_and_each_changes_the_baseline() -> None:
+    assert len(Improvement) == 14
+    for improvement in Improvement:
+        assert BASELINE.with_improvements({improvement}) != BASELINE, improvement
+
+
+def test_any_mixture_can_be_named_from_either_end() -> None:
+    without = agent_config("uniteam", without=["edge_margin", "verify_pick"])
+    with_ = agent_config(
+        "baseline", with_=[i.value for i in Improvement if i.value not in ("edge_margin", "verify_pick")]
+    )
+    assert without == with_
+    assert agent_config("uniteam") == UNITEAM
+    assert agent_config("uniteam", without=[i.value for i in Improvement]) == BASELINE
+    assert agent_config("random") is None
+
+
+@pytest.mark.parametrize("name", AGENT_NAMES)
+def test_every_agent_is_described_in_json_and_improvements_show(name: str) -> None:
+    text = json.dumps(describe_agent(name))
+    assert f'"agent": "{name}"' in text
+    if name != "random":
+        assert json.dumps(describe_agent("baseline", with_=["drop_height"])) != json.dumps(describe_agent("baseline"))
+        assert "SafeFromEdges" in json.dumps(describe_agent("uniteam"))
+
+
+def test_what_no_configuration_holds_cannot_be_described() -> None:
+    with pytest.raises(TypeError, match="cannot be described"):
+        describe(np.zeros(3))
+
+
+@pytest.mark.parametrize(
+    ("call", "nearest"),
+    [
+        (lambda: make_agent("unitem"), "uniteam"),
+        (lambda: make_agent("baseline", perception="trut"), "truth"),
+        (lambda: make_agent("uniteam", without=["edge_margins"]), "edge_margin"),
+        (lambda: make_agent("random", with_=["verify_pik"]), "verify_pick"),
+        (lambda: needs_truth("thruth"), "truth"),
+    ],
+)
+def test_a_misspelt_name_is_answered_with_the_nearest(call, nearest: str) -> None:
+    with pytest.raises(UnknownNameError, match=f"did you mean '{nearest}'"):
+        call()
+
+
+def test_truth_is_needed_by_the_perception_of_that_name() -> None:
+    assert needs_truth("truth")
+    agent = make_agent("baseline")
+    agent.reset(INSTRUCTION, 0)
+    seen = observe((TABLE,), BasePose(0.0, 0.0, 0.0))
+    with pytest.raises(InvalidInputError):
+        agent.act(Observation(**{**vars(seen), "truth": None}))
