@@ -1,6 +1,8 @@
 """What each action does to the robot and to the objects, in a home of two rooms furnished from the pack."""
 
+import gc
 import math
+import weakref
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -242,3 +244,15 @@ def test_head_camera_sees_the_wrist_in_manipulation_and_the_robot_is_no_instance
     assert 500 < np.count_nonzero(near) < 0.2 * near.size
     assert np.all(frame.instances[near] == -1)
     assert not np.any((before.depth > 0) & (before.depth < 0.6))
+
+
+def test_a_simulator_that_nobody_needs_frees_its_memory_at_once() -> None:
+    simulator = Simulator(furnished_home(), HEAD_CAMERA_HALF)
+    simulator.apply(DiscreteAction.TURN_LEFT, "cup")
+    watcher = weakref.ref(simulator)
+    gc.disable()
+    try:
+        del simulator
+        assert watcher() is None
+    finally:
+        gc.enable()

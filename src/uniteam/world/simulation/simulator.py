@@ -85,7 +85,6 @@ class Simulator:
         self._collider = ArmCollider(self.physics)
         self._view = HomeView(home, self.physics)
         self._gripper = Gripper(home, self.physics)
-        self._handlers = self._discrete_handlers()
         room = home.stage.rooms[0]
         self.reset(BasePose((room.low[0] + room.high[0]) / 2, (room.low[1] + room.high[1]) / 2, 0.0))
 
@@ -158,13 +157,17 @@ class Simulator:
             in_view = np.unique(self.render().instances)
             return StepEvents(grasped=self._gripper.grasp(target_category, in_view, self._state))
         if isinstance(action, DiscreteAction):
-            return self._handlers[action]()
+            return self._discrete_handlers()[action]()
         if isinstance(action, BaseDisplacement):
             return self._displace(admissible(action))
         return _joined(self._displace(admissible(action.base)), self._pose(self.joints + action.delta))
 
     def _discrete_handlers(self) -> dict[DiscreteAction, Callable[[], StepEvents]]:
-        """Return what each discrete action does, but for the grasp, which needs its target."""
+        """Return what each discrete action does, but for the grasp, which needs its target.
+
+        They are made anew for each action: kept, they would refer to the simulator that keeps them, and a home's memory
+        would stay until the garbage collector comes by.
+        """
         extended = JOINT_LIMITS[1].arm
         return {
             DiscreteAction.STOP: StepEvents,
