@@ -10,7 +10,7 @@ from uniteam.world.task.environment import Environment
 from uniteam.world.task.measures import Measures
 from uniteam.world.task.splits import load_split
 
-STEPS = 90
+STEPS = 60
 Trace = list[tuple[Action, str, BasePose, bytes, Measures]]
 
 
