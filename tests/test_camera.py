@@ -55,9 +55,9 @@ def test_the_nearer_part_is_seen_whatever_the_order(names: tuple[str, ...]) -> N
 def test_parts_that_cross_are_cut_where_they_cross() -> None:
     tilted = {"one": quad(3.0, 9.0, Material(RED), tilt=0.5), "other": quad(3.0, 9.0, Material(BLUE), tilt=-0.5)}
     brightest = see(tilted).rgb.argmax(axis=-1)
-    assert (brightest[:, :31] == 0).all() == (brightest[:, 33:] == 2).all()
-    assert len(np.unique(brightest[:, :31])) == len(np.unique(brightest[:, 33:])) == 1
-    assert brightest[0, 0] != brightest[0, -1]
+    # The image's left is the world's +y, where "one" is nearer: x = 3 - y / 2.
+    assert (brightest[:, :31] == 0).all()
+    assert (brightest[:, 33:] == 2).all()
 
 
 def test_nothing_nearer_than_the_near_plane_is_seen() -> None:

@@ -85,7 +85,7 @@ def test_every_level_of_a_mip_chain_keeps_the_mean() -> None:
     means = [last & 255, (last >> 8) & 255, (last >> 16) & 255]
     assert np.array(means, dtype=float) == pytest.approx(image.reshape(-1, 3).mean(axis=0), abs=4.0)
     assert len(chain.texels) == sum(
-        (w + 1) * (h + 1) for w, h in zip((32, 16, 8, 4, 2, 1, 1), (64, 32, 16, 8, 4, 2, 1))
+        (w + 1) * (h + 1) for w, h in zip((32, 16, 8, 4, 2, 1, 1), (64, 32, 16, 8, 4, 2, 1), strict=True)
     )
 
 

@@ -119,8 +119,10 @@ def _draw_clipped(
             polygon[count] = here
             count += 1
         if (here[2] >= NEAR) != (there[2] >= NEAR):
-            share = (NEAR - here[2]) / (there[2] - here[2])
-            polygon[count] = here + share * (there - here)
+            # Cut from the far end, so that the triangle beyond this edge is cut at the same point to the bit.
+            far_end, near_end = (here, there) if here[2] >= NEAR else (there, here)
+            share = (far_end[2] - NEAR) / (far_end[2] - near_end[2])
+            polygon[count] = far_end + share * (near_end - far_end)
             count += 1
     for k in range(count):
         polygon[k, 0] /= polygon[k, 2]
@@ -131,8 +133,9 @@ def _draw_clipped(
         _fill(inverse_depth, triangle_at, t, (a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2]))
 
 
-# Sums keep their order here (no `fastmath=True`), so that an edge is the same edge from both of its sides.
-@njit(cache=True, nogil=True, fastmath={"nnan", "ninf", "nsz"}, error_model="numpy", inline="always")
+# Sums keep their order here (no `fastmath=True`), so that an edge is the same edge from both of its sides. That is also
+# why numba must not inline it: it would take its caller's flags.
+@njit(cache=True, nogil=True, fastmath={"nnan", "ninf", "nsz"}, error_model="numpy")
 def _fill(
     inverse_depth: NDArray[np.float32], triangle_at: NDArray[np.int32], t: int, p0: Corner, p1: Corner, p2: Corner
 ) -> None:

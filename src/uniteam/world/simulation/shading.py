@@ -138,7 +138,7 @@ def _channel(texel: np.uint32, shift: int) -> np.float32:
 def _mip_level(footprint: np.float32) -> int:
     """Return half the binary logarithm of a pixel's area in texels, rounded: each level quarters it."""
     exponent = (np.float32(footprint * np.float32(2.0)).view(np.int32) >> 23) - 127
-    return max(exponent >> 1, 0)
+    return max(int(exponent) >> 1, 0)
 
 
 @njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
