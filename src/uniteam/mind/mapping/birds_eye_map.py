@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -17,6 +18,7 @@ from uniteam.stretch import ROBOT_HEIGHT
 
 Mask = NDArray[np.bool_]
 Cell = tuple[int, int]
+_Scalar = TypeVar("_Scalar", bound=np.generic)
 
 _REFERENCE_PIXELS = 240 * 320
 
@@ -27,7 +29,8 @@ class MapConfig:
 
     Attributes:
         cell_size: m.
-        initial_size: side of the square map at the start (m); it doubles towards where more is needed.
+        initial_size: side of the square map at the start (m).
+        growth: where more is needed, the map grows by so much, or a multiple of it (m).
         min_depth, max_depth: depth along the optical axis that is mapped (m).
         min_obstacle_height, max_obstacle_height: what lies between blocks the robot (m above the floor).
         been_close_radius: the disc around the robot that it has been close to (m).
@@ -43,6 +46,7 @@ class MapConfig:
 
     cell_size: float = 0.05
     initial_size: float = 24.0
+    growth: float = 8.0
     min_depth: float = 0.5
     max_depth: float = 3.5
     min_obstacle_height: float = 0.10
@@ -118,12 +122,18 @@ class BirdsEyeMap:
         self._class_height = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
         self._scratch = _make_scratch(shape)
         self._last_base: BasePose | None = None
+        self._known: tuple[Cell, Cell] = (shape, (0, 0))
         self.update_count = 0
 
     @property
     def shape(self) -> tuple[int, int]:
         """The number of rows and columns."""
         return self.obstacle.shape[0], self.obstacle.shape[1]
+
+    @property
+    def known(self) -> tuple[Cell, Cell]:
+        """The first (row, column) and the one past the last of the part that holds all that was ever seen."""
+        return self._known
 
     @property
     def cell_size(self) -> float:
@@ -148,8 +158,13 @@ class BirdsEyeMap:
 
     def object_on_start_receptacle(self) -> Mask:
         """Return the (H, W) cells of the object at which the start receptacle was seen too, one cell's play allowed."""
-        receptacle = self.class_cells(ClassRole.START_RECEPTACLE).view(np.uint8)
-        return self.class_cells(ClassRole.OBJECT) & cv2.dilate(receptacle, disc(1)).view(np.bool_)
+        (top, left), (bottom, right) = self._known
+        known = slice(top, bottom), slice(left, right)
+        receptacle = np.ascontiguousarray(self.class_cells(ClassRole.START_RECEPTACLE)[known]).view(np.uint8)
+        both = np.zeros(self.shape, dtype=np.bool_)
+        if receptacle.size:
+            both[known] = self.class_cells(ClassRole.OBJECT)[known] & cv2.dilate(receptacle, disc(1)).view(np.bool_)
+        return both
 
     def to_cell(self, x: float, y: float) -> Cell:
         """Return the (row, column) of a point of the start frame (m); it may lie outside the map."""
@@ -165,15 +180,16 @@ class BirdsEyeMap:
 
     def points_of(self, mask: Mask) -> NDArray[np.float64]:
         """Return the (K, 2) centres (x, y) in the start frame (m) of a mask's cells, row by row."""
-        found = cv2.findNonZero(np.ascontiguousarray(mask).view(np.uint8))
-        return self.to_points(np.zeros((0, 2)) if found is None else found.reshape(-1, 2)[:, ::-1])
+        x, y, width, height = cv2.boundingRect(np.ascontiguousarray(mask).view(np.uint8))
+        return self.to_points(np.array([y, x]) + np.argwhere(mask[y : y + height, x : x + width]))
 
     def update(self, observation: Observation, segmentation: Segmentation, roles: RoleScores) -> None:
         """Bring a frame into the map, and the robot's own place."""
         base = observation.base_to_start
         self._cover(base)
-        project(self._view(observation, segmentation, roles), self.config.limits(observation.depth.size),
-                self._scratch, self._channels())  # fmt: skip
+        touched = project(self._view(observation, segmentation, roles), self.config.limits(observation.depth.size),
+                          self._scratch, self._channels())  # fmt: skip
+        self._know(touched[:2], touched[2:])
         self._mark_robot(base)
         self._mark_look(base)
         self.update_count += 1
@@ -234,6 +250,16 @@ class BirdsEyeMap:
             (self.explored, self.config.explored_radius),
         ):
             cv2.circle(channel.view(np.uint8), cell[::-1], round(radius / self.cell_size), color=1, thickness=-1)
+        own = round(self.config.explored_radius / self.cell_size)
+        self._know((cell[0] - own, cell[1] - own), (cell[0] + own, cell[1] + own))
+
+    def _know(self, first: Cell, last: Cell) -> None:
+        """Widen the known part to hold a first and a last cell."""
+        low, high = self._known
+        self._known = (
+            (min(low[0], first[0]), min(low[1], first[1])),
+            (max(high[0], last[0] + 1), max(high[1], last[1] + 1)),
+        )
 
     def _mark_look(self, base: BasePose) -> None:
         """Note from which side the start receptacles ahead are looked at."""
@@ -248,29 +274,42 @@ class BirdsEyeMap:
     def _cover(self, base: BasePose) -> None:
         """Grow until everything in reach of the robot lies on the map."""
         reach = round(self.config.reach / self.cell_size)
-        while True:
-            row, column = self.to_cell(base.x, base.y)
-            rows, columns = self.shape
-            low = (rows if row - reach < 0 else 0, columns if column - reach < 0 else 0)
-            high = (rows if row + reach >= rows and not low[0] else 0,
-                    columns if column + reach >= columns and not low[1] else 0)  # fmt: skip
-            if not any((*low, *high)):
-                return
+        row, column = self.to_cell(base.x, base.y)
+        rows, columns = self.shape
+        low = self._growth(reach - row), self._growth(reach - column)
+        high = self._growth(row + reach + 1 - rows), self._growth(column + reach + 1 - columns)
+        if any((*low, *high)):
             self._grow(low, high)
+
+    def _growth(self, missing: int) -> int:
+        """Return how many rows or columns to add where some are missing."""
+        block = round(self.config.growth / self.cell_size)
+        return block * math.ceil(max(0, missing) / block)
 
     def _grow(self, low: Cell, high: Cell) -> None:
         """Add so many rows and columns before the first and after the last."""
-        pads = ((low[0], high[0]), (low[1], high[1]))
+        rows, columns = self.shape
+        shape = rows + low[0] + high[0], columns + low[1] + high[1]
         self.obstacle, self.explored, self.visited, self.been_close, self.collision = (
-            np.pad(channel, pads)
+            _placed(channel, low, shape)
             for channel in (self.obstacle, self.explored, self.visited, self.been_close, self.collision)
         )
-        self.looked_from = np.pad(self.looked_from, pads)
-        self._class_cells = np.pad(self._class_cells, ((0, 0), *pads))
-        self._class_probability = np.pad(self._class_probability, ((0, 0), *pads))
-        self._class_height = np.pad(self._class_height, ((0, 0), *pads))
+        self.looked_from = _placed(self.looked_from, low, shape)
+        self._class_cells = _placed(self._class_cells, low, shape)
+        self._class_probability = _placed(self._class_probability, low, shape)
+        self._class_height = _placed(self._class_height, low, shape)
         self._scratch = _make_scratch(self.shape)
+        first, past = self._known
+        self._known = ((first[0] + low[0], first[1] + low[1]), (past[0] + low[0], past[1] + low[1]))
         self.origin = (self.origin[0] - low[1] * self.cell_size, self.origin[1] - low[0] * self.cell_size)
+
+
+def _placed(channel: NDArray[_Scalar], corner: Cell, shape: Cell) -> NDArray[_Scalar]:
+    """Return a larger channel, zero but for the old one from a corner on; memory never touched costs nothing."""
+    rows, columns = channel.shape[-2:]
+    larger = np.zeros((*channel.shape[:-2], *shape), dtype=channel.dtype)
+    larger[..., corner[0] : corner[0] + rows, corner[1] : corner[1] + columns] = channel
+    return larger
 
 
 def _make_scratch(shape: tuple[int, int]) -> Scratch:

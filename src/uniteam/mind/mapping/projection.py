@@ -124,12 +124,17 @@ def _bin_points(view: View, limits: Limits, scratch: Scratch, shape: tuple[int, 
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def _merge(scratch: Scratch, touched: int, channels: Channels, limits: Limits) -> None:  # pragma: no cover
-    """Write the touched cells into the map and leave the scratch zero."""
-    columns = channels.obstacle.shape[1]
+def _merge(
+    scratch: Scratch, touched: int, channels: Channels, limits: Limits
+) -> tuple[int, int, int, int]:  # pragma: no cover
+    """Write the touched cells into the map and leave the scratch zero; return the first and last row and column."""
+    rows, columns = channels.obstacle.shape
+    first_row, first_column, last_row, last_column = rows, columns, -1, -1
     for k in range(touched):
         cell = scratch.touched[k]
         row, column = cell // columns, cell % columns
+        first_row, last_row = min(first_row, row), max(last_row, row)
+        first_column, last_column = min(first_column, column), max(last_column, column)
         seen = scratch.counts[cell, SEEN] > 0
         if seen:
             channels.explored[row, column] = True
@@ -148,10 +153,16 @@ def _merge(scratch: Scratch, touched: int, channels: Channels, limits: Limits) -
             scratch.scores[cell, role] = 0
             scratch.heights[cell, role] = 0
         scratch.counts[cell, :] = 0
+    return first_row, first_column, last_row, last_column
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def project(view: View, limits: Limits, scratch: Scratch, channels: Channels) -> None:  # pragma: no cover
-    """Bring a frame into the map: what it shows is explored, solid, of a class, or no longer of one."""
+def project(
+    view: View, limits: Limits, scratch: Scratch, channels: Channels
+) -> tuple[int, int, int, int]:  # pragma: no cover
+    """Bring a frame into the map: what it shows is explored, solid, of a class, or no longer of one.
+
+    Returns the first row and column and the last row and column that the frame touched.
+    """
     touched = _bin_points(view, limits, scratch, channels.obstacle.shape)
-    _merge(scratch, touched, channels, limits)
+    return _merge(scratch, touched, channels, limits)

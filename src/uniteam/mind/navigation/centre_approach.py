@@ -52,7 +52,7 @@ class CentreApproach:
         goal = self.choose(bird_map, base)
         if goal is None:
             return None
-        window = window_around(bird_map, base, goal.cells)
+        window = window_around(bird_map, base)
         cells = window.cut(goal.cells)
         free = self._standing_room(bird_map, window, base)
         stands, faces = np.zeros_like(cells), np.zeros_like(cells)

@@ -67,7 +67,7 @@ def find_receptacles(bird_map: BirdsEyeMap, base: BasePose, role: ClassRole, rea
         reach: how far from a free cell a receptacle may lie to be within reach (m).
     """
     cells = bird_map.class_cells(role)
-    window = window_around(bird_map, base, cells)
+    window = window_around(bird_map, base)
     probability = window.cut(bird_map.class_probability(role))
     to_robot = _reachable_distance(bird_map, window, base)
     for group in group_cells(window.cut(cells)):

@@ -42,10 +42,11 @@ class Window:
 
 
 def window_around(bird_map: BirdsEyeMap, base: BasePose, *others: Mask) -> Window:
-    """Return the window that holds all explored cells, the robot and the cells of other masks, with a margin."""
+    """Return the window that holds all that is known, the robot and the cells of other masks, with a margin."""
     row, column = bird_map.to_cell(base.x, base.y)
-    low, high = [row, column], [row + 1, column + 1]
-    for mask in (bird_map.explored, *others):
+    known, past = bird_map.known
+    low, high = [min(row, known[0]), min(column, known[1])], [max(row + 1, past[0]), max(column + 1, past[1])]
+    for mask in others:
         x, y, width, height = cv2.boundingRect(np.ascontiguousarray(mask).view(np.uint8))
         if width and height:
             low = [min(low[0], y), min(low[1], x)]
