@@ -77,7 +77,7 @@ def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, F
 
 def _is_stuck_before(plan: Plan, memory: Memory) -> bool:
     """Whether the robot is blocked so near to what it searched that it has as good as arrived."""
-    return memory.planner.blocked_in_a_row >= BLOCKED_OFTEN and plan.distance <= NEARLY_THERE
+    return plan.reachable and memory.planner.blocked_in_a_row >= BLOCKED_OFTEN and plan.distance <= NEARLY_THERE
 
 
 def _turn_to_face(goal: Goal, memory: Memory, base: BasePose) -> Action | None:

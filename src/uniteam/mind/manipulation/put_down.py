@@ -4,6 +4,7 @@ Every motion is checked against what was seen: the arm leaves the robot only whe
 """
 
 from dataclasses import dataclass, fields, replace
+from itertools import pairwise
 
 from uniteam.interface import DiscreteAction, Joints
 from uniteam.mind.manipulation.skill import Skill, discrete, move_joints
@@ -26,26 +27,17 @@ class ArmPath:
         return self.stations[-1]
 
 
-def low_entry(now: Joints, end: Joints) -> ArmPath:
-    """Return the path that extends the arm at the height of its end: under boards and over edges."""
+def path_to(now: Joints, end: Joints) -> ArmPath:
+    """Return the path that extends the arm at the height of its end, once the wrist has been levelled high up."""
     raised = replace(now, lift=TOP, arm=0.0)
     level = replace(raised, wrist_pitch=end.wrist_pitch)
     return ArmPath((raised, level, replace(end, arm=0.0), end))
 
 
-def high_entry(now: Joints, end: Joints) -> ArmPath:
-    """Return the path that extends the arm as high as it gets and lowers it over its end: over arms and railings."""
-    raised = replace(now, lift=TOP, arm=0.0)
-    level = replace(raised, wrist_pitch=end.wrist_pitch)
-    return ArmPath((raised, level, replace(end, lift=TOP), end))
-
-
 def is_path_free(path: ArmPath, surroundings: Points, load: Load, config: SweepConfig) -> bool:
     """Return whether the arm touches nothing seen along a path; to its first station it moves within the base."""
-    pairs = zip(path.stations[:-1], path.stations[1:], strict=True)
-    return all(
-        is_sweep_free(surroundings, joints, load, config) for start, end in pairs for joints in _between(start, end)
-    )
+    on_the_way = (joints for start, end in pairwise(path.stations) for joints in _between(start, end))
+    return all(is_sweep_free(surroundings, joints, load, config) for joints in (path.end, *on_the_way))
 
 
 def _between(start: Joints, end: Joints, parts: int = 4) -> tuple[Joints, ...]:

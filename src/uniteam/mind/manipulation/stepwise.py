@@ -8,18 +8,21 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from uniteam.interface import DiscreteAction
 from uniteam.mind.manipulation.nearby import Nearby
 from uniteam.mind.manipulation.place import Aim, PlaceTask, enter_manipulation_mode
-from uniteam.mind.manipulation.put_down import ArmPath, high_entry, is_path_free, low_entry
+from uniteam.mind.manipulation.put_down import ArmPath, is_path_free, path_to
 from uniteam.mind.manipulation.release import reach_of
-from uniteam.mind.manipulation.skill import SMALLEST_DRIVE, SMALLEST_TURN, Skill, discrete, drive, turn
+from uniteam.mind.manipulation.skill import SMALLEST_DRIVE, SMALLEST_TURN, Skill, drive, turn
 from uniteam.mind.manipulation.surface import PlacingPoints
 from uniteam.mind.manipulation.sweep import SweepConfig
 from uniteam.mind.manipulation.view import Points, View
 
 TIGHTEST_GAP = 0.02
 """m; between a surface and the lowest part of what is held over it."""
+HEIGHT_PRICE = 0.3
+"""What a metre of fall costs in worth, which is in metres from the edge."""
+ELBOW_ROOM = 0.4
+"""m beyond the arm's reach; what is farther is out of its way."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +34,7 @@ class CloseInStepwise:
         most_steps: how many turns and drives to make before the arm must do.
         comfort: distance (m) from the base to a placing point, as a share of the arm's reach, that is near enough.
         widest_turn: how far (rad) the base turns to bring the arm's line over a point.
+        extra_heights: how much higher than the release asks for the arm may go over what stands in its way (m).
         sweep: the room the arm takes.
     """
 
@@ -38,6 +42,7 @@ class CloseInStepwise:
     most_steps: int = 12
     comfort: float = 0.92
     widest_turn: float = math.radians(60.0)
+    extra_heights: tuple[float, ...] = (0.0, 0.1, 0.2, 0.3, 0.4)
     sweep: SweepConfig = field(default_factory=SweepConfig)
 
     def __call__(self, view: View, task: PlaceTask) -> Skill[Aim | None]:
@@ -99,19 +104,22 @@ class CloseInStepwise:
     def _first_free(
         self, view: View, chosen: PlacingPoints, surroundings: Points, task: PlaceTask
     ) -> tuple[float, ArmPath] | None:
+        """Return the turn and the path to the best point and height that the arm reaches freely."""
         reach, now = reach_of(task.release), view.observation.joints
-        for index in chosen.best_first():
+        near = surroundings[np.hypot(surroundings[:, 0], surroundings[:, 1]) < reach.far + ELBOW_ROOM]
+        worth = chosen.worth[:, None] - HEIGHT_PRICE * np.array(self.extra_heights)
+        for flat in np.argsort(-worth, axis=None, kind="stable"):
+            index, extra = divmod(int(flat), len(self.extra_heights))
             x, y, z = (float(value) for value in chosen.points[index])
             distance, angle = reach.distance_to(x, y), _possible_turn(reach.turn_to(x, y))
-            height = min(z + task.release.height_above_surface(task.load), reach.high)
-            in_reach = reach.near <= distance <= reach.far and height >= z + task.load.below + TIGHTEST_GAP
+            lowest = z + task.load.below + TIGHTEST_GAP
+            height = z + task.release.height_above_surface(task.load) + self.extra_heights[extra]
+            in_reach = reach.near <= distance <= reach.far and lowest <= reach.high
             if not in_reach or abs(angle) > self.widest_turn:
                 continue
-            end = reach.over(now, distance, height)
-            around = _turned(surroundings, angle)
-            for path in (low_entry(now, end), high_entry(now, end)):
-                if is_path_free(path, around, task.load, self.sweep):
-                    return angle, path
+            path = path_to(now, reach.over(now, distance, min(height, reach.high)))
+            if is_path_free(path, _turned(near, angle), task.load, self.sweep):
+                return angle, path
         return None
 
 
@@ -127,8 +135,3 @@ def _turned(points: Points, angle: float) -> Points:
     c, s = math.cos(angle), math.sin(angle)
     x, y, z = points.T
     return np.stack([c * x + s * y, -s * x + c * y, z], axis=-1)
-
-
-def back_to_driving(reason: str) -> Skill[View]:
-    """Return to navigation mode."""
-    return (yield discrete(DiscreteAction.NAVIGATION_MODE, reason))
