@@ -34,7 +34,7 @@ PLANS = {
     "val": Plan("test", 2_000, 40, 10),
     "test-standard": Plan("test", 3_000, 50, 20),
     "test-challenge": Plan("test", 4_000, 25, 10),
-    "train": Plan("train", 5_000, 80, 5),
+    "train": Plan("train", 5_000, 40, 5),
 }
 
 
