@@ -132,3 +132,16 @@ def test_the_short_term_goal_looks_ahead_and_not_through_walls() -> None:
     assert line_is_free(free, path[0], ahead)
     assert ahead[1] > 5
     assert not line_is_free(free, path[0], path[-1])
+
+
+def test_at_a_bend_the_short_term_goal_is_still_a_whole_step_away() -> None:
+    free = np.ones((40, 40), dtype=np.bool_)
+    free[11:, :] = False
+    free[10:30, 12] = True
+    targets = np.zeros_like(free)
+    targets[28, 12] = True
+    reach = nearest_target(free, (10, 11), targets)
+    path = trace_path(free, reach, reach.target)
+    ahead = np.array(find_short_term_goal(free, path, 5))
+    assert 4.0 < np.hypot(*(ahead - (10, 11))) < 6.0
+    assert ahead[0] >= 14

@@ -206,13 +206,6 @@ class BirdsEyeMap:
         """Forget every collision cell."""
         self.collision[:] = False
 
-    def forget_class(self, role: ClassRole, points: NDArray[np.floating], radius: float) -> None:
-        """Take a class off the cells within `radius` (m) of (K, 2) points: what was believed there proved wrong."""
-        for x, y in points:
-            near = disc_mask(self.shape, self.to_cell(x, y), round(radius / self.cell_size))
-            self._class_cells[role][near] = False
-            self._class_probability[role][near] = 0.0
-
     def _mark(self, channel: Mask, points: NDArray[np.floating]) -> None:
         for x, y in points:
             row, column = self.to_cell(x, y)

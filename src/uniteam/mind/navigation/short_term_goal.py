@@ -11,7 +11,8 @@ _SIGHT_STEPS = 12
 def find_short_term_goal(free: Mask, path: NDArray[np.int32], step_cells: int) -> Cell:
     """Return the cell `step_cells` ahead towards the farthest point of the path that can be seen over free cells.
 
-    Looking along the path before taking the step takes out the kinks that a path over a grid has.
+    Looking along the path before taking the step takes out the kinks that a path over a grid has. Where the path bends
+    sooner than that, it is the path's own cell that far away: a nearer one would have the robot overshoot the bend.
 
     Args:
         free: (H, W) bool.
@@ -19,8 +20,10 @@ def find_short_term_goal(free: Mask, path: NDArray[np.int32], step_cells: int) -
         step_cells: how far ahead, in cells.
     """
     robot = path[0]
-    seen = path[min(1, len(path) - 1)]
-    for cell in path[_looks(path, step_cells)]:
+    away = np.hypot(*(path - robot).T)
+    next_on_path = int(np.argmax(away >= step_cells - 0.5)) or len(path) - 1
+    seen = path[next_on_path]
+    for cell in path[_looks(next_on_path, len(path) - 1, step_cells)]:
         if not line_is_free(free, robot, cell):
             break
         seen = cell
@@ -39,9 +42,7 @@ def line_is_free(free: Mask, start: NDArray[np.integer], end: NDArray[np.integer
     return bool(free[cells[1:, 0], cells[1:, 1]].all())
 
 
-def _looks(path: NDArray[np.int32], step_cells: int) -> NDArray[np.int32]:
-    """Return the indices of the path's cells to look at: one by one for a step, then a step apart, for some steps."""
-    last = len(path) - 1
-    near = np.arange(1, min(step_cells, last) + 1)
-    far = np.arange(2 * step_cells, min(last, _SIGHT_STEPS * step_cells) + 1, step_cells)
-    return np.unique(np.concatenate([near, far, [min(last, _SIGHT_STEPS * step_cells)]]).astype(np.int32))
+def _looks(first: int, last: int, step_cells: int) -> NDArray[np.int64]:
+    """Return the indices of the path's cells to look at, a step apart, the last one included if it is not too far."""
+    end = min(last, first + _SIGHT_STEPS * step_cells)
+    return np.append(np.arange(first, end, step_cells), end)
