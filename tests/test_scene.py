@@ -8,10 +8,11 @@ from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import PinholeCamera, invert_transform, pose_matrix, transform_points, yaw_quaternion
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.mesh import Material
-from uniteam.world.homes.home import Instance
+from uniteam.world.homes.home import Instance, Stage, Wall
 from uniteam.world.simulation.camera import render
 from uniteam.world.simulation.culling import coarsen, is_hidden
 from uniteam.world.simulation.scene import Scene
+from uniteam.world.simulation.stage_mesh import stage_parts
 
 WIDE = PinholeCamera.from_horizontal_fov(160, 120, np.radians(75.0))
 
@@ -153,3 +154,30 @@ def test_a_part_is_hidden_only_behind_what_covers_its_whole_rectangle() -> None:
     inverse_depth[18, 18] = 0.4
     coarsen(inverse_depth, coarse)
     assert not is_hidden(behind, coarse)
+
+
+def test_the_floor_is_darker_at_the_foot_of_a_washing_machine() -> None:
+    machine = _standing("washer_dryer", 2.0, 2.0)
+    pose = looking((0.4, 2.0, 1.3), (2.0, 2.0, 0.0))
+    bare, shaded = (render(Scene(home), WIDE, pose) for home in (two_rooms(), two_rooms(machine)))
+    points = transform_points(pose, WIDE.unproject(shaded.depth))
+    floor = (points[..., 2] < 0.005) & (shaded.instances < 0)
+    size = load_catalogue()[machine.model].size
+    gap = np.maximum(*(np.abs(points[..., k] - 2.0) - size[k] / 2.0 for k in (0, 1)))
+    ratio = shaded.rgb.mean(axis=-1) / bare.rgb.mean(axis=-1)
+    near, far = floor & (gap < 0.04), floor & (gap > 0.5)
+    assert near.sum() > 20 and far.sum() > 20
+    assert ratio[near].mean() < 0.93
+    assert ratio[far].mean() == pytest.approx(1.0, abs=0.02)
+
+
+def test_walls_in_one_line_meet_and_do_not_overlap() -> None:
+    home = two_rooms()
+    cut = [Wall((0.0, 0.0), (4.0, 0.0), 0.1), Wall((4.0, 0.0), (8.0, 0.0), 0.1), *home.stage.walls[1:]]
+    parts = stage_parts(Stage(home.stage.rooms, tuple(cut), home.stage.ceiling_height))
+    first, second = (
+        np.concatenate([part.mesh.vertices[:, 0] for part in parts if part.name == name])
+        for name in ("wall_0", "wall_1")
+    )
+    assert first.max() == pytest.approx(second.min(), abs=1e-6)
+    assert first.min() == pytest.approx(-0.05, abs=0.002)

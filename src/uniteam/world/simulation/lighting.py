@@ -19,6 +19,7 @@ GAMMA = 2.2
 LIGHT_LENGTH = 13
 """Numbers that describe a light: see `light_array`."""
 
+_SHOULDER, _WHITE = 0.65, 1.05
 _CORNER_REACH = 0.30
 _CORNER_SHADE = 0.45
 
@@ -109,6 +110,9 @@ def _light_at(
     shade *= _open_share(y - light[8], ny) * _open_share(light[11] - y, -ny)
     shade *= _open_share(z - light[9], nz) * _open_share(light[12] - z, -nz)
     total = (light[3] + lamp + directional) * shade
+    # Bright places are compressed towards `_WHITE`, so that white things keep their shape under a lamp.
+    excess = max(total - np.float32(_SHOULDER), np.float32(0.0))
+    total -= excess * excess / (excess + np.float32(_WHITE - _SHOULDER))
     return np.float32(total ** (1.0 / GAMMA))
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +10,10 @@ from numpy.typing import NDArray
 from uniteam.world.assets.mesh import Material, Mesh
 
 Vector = NDArray[np.float64]
+
+
+GRID = 0.5
+"""Light is computed at the corners of a grid of about this size (m)."""
 
 
 @dataclass(frozen=True)
@@ -27,6 +32,16 @@ class Plane:
     right: Vector
     up: Vector
     normal: Vector
+
+
+def grid_cuts(low: float, high: float, edges: Sequence[float] = ()) -> list[float]:
+    """Return the borders of a grid: both ends, the edges that lie between, and steps of about `GRID` (m)."""
+    fixed = sorted({low, high, *(e for e in edges if low < e < high)})
+    cuts = [low]
+    for a, b in pairwise(fixed):
+        count = max(1, round((b - a) / GRID))
+        cuts += [a + (b - a) * (k + 1) / count for k in range(count)]
+    return cuts
 
 
 def _box_template() -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:

@@ -12,6 +12,7 @@ from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.mesh import Mesh
 from uniteam.world.homes.home import Home
 from uniteam.world.simulation.drawable import Drawable, load_drawable, make_drawable
+from uniteam.world.simulation.floor_shade import FloorShade, floor_shade
 from uniteam.world.simulation.lighting import RoomLight, outdoor_light, place_part, room_light
 from uniteam.world.simulation.scene_buffers import SceneBuffers, Workspace
 from uniteam.world.simulation.stage_mesh import StagePart, room_at, stage_parts
@@ -63,7 +64,7 @@ class Scene:
         self._parts_of: dict[str, list[int]] = defaultdict(list)
         for index, entry in enumerate(entries):
             self._parts_of[entry.name].append(index)
-        self._buffers = _pack(entries)
+        self._buffers = _pack(entries, floor_shade(home))
         self._poses = np.tile(np.eye(4), (len(entries), 1, 1))
         self._stale: set[int] = set()
         self._workspaces: dict[tuple[int, int], Workspace] = {}
@@ -163,7 +164,7 @@ def _corners(drawable: Drawable) -> NDArray[np.float64]:
     return np.where(choice == 1, drawable.high.astype(np.float64), drawable.low.astype(np.float64))
 
 
-def _pack(parts: list[_Part]) -> SceneBuffers:
+def _pack(parts: list[_Part], shade: FloorShade) -> SceneBuffers:
     """Lay the parts' arrays end to end; world vertices and light are filled in when the parts are placed."""
     drawables = [part.drawable for part in parts]
     vertex_ends = np.cumsum([len(d.vertices) for d in drawables])
@@ -193,6 +194,8 @@ def _pack(parts: list[_Part]) -> SceneBuffers:
         part_tints=np.ones((part_count, 3), dtype=np.float32),
         part_visible=np.ones(part_count, dtype=bool),
         part_is_stage=np.array([part.is_stage for part in parts], dtype=bool),
+        floor_shade=shade.values,
+        floor_frame=shade.frame,
     )
 
 

@@ -41,6 +41,7 @@ class SceneBuffers(NamedTuple):
         part_tints: (P, 3) float32, colour of the light.
         part_visible: (P,) bool.
         part_is_stage: (P,) bool: drawn first, because walls hide most of a home.
+        floor_shade, floor_frame: see `FloorShade`.
     """
 
     vertices: NDArray[np.float32]
@@ -60,3 +61,5 @@ class SceneBuffers(NamedTuple):
     part_tints: NDArray[np.float32]
     part_visible: NDArray[np.bool_]
     part_is_stage: NDArray[np.bool_]
+    floor_shade: NDArray[np.float32]
+    floor_frame: NDArray[np.float32]

@@ -18,6 +18,9 @@ BACKGROUND = (196, 206, 214)
 Pair = tuple[np.float32, np.float32]
 Triple = tuple[np.float32, np.float32, np.float32]
 
+FLOOR_LEVEL = 0.04
+"""What is no higher than this lies in the furniture's shade: floors and rugs (m)."""
+
 _LAYOUT_LEVELS = 3
 """Column of the texture layout where the levels' starts begin."""
 
@@ -72,6 +75,7 @@ def shade(
                 side = 0 if _dot(offset, normal) < zero else 1
                 light_0 = buffers.light[a, side]
                 light_1, light_2 = buffers.light[b, side] - light_0, buffers.light[c, side] - light_0
+                is_low = max(origin[2], origin[2] + edge_1[2], origin[2] + edge_2[2]) < np.float32(FLOOR_LEVEL)
                 part, material = buffers.triangle_parts[t], buffers.triangle_materials[t]
                 label = buffers.part_labels[part]
                 red = buffers.part_tints[part, 0] * buffers.material_colors[material, 0]
@@ -91,6 +95,13 @@ def shade(
             share_2 = min(max(_dot(ray, across_2) * inverse, zero), one)
             distance = one / inverse_depth[y, x]
             light = light_0 + share_1 * light_1 + share_2 * light_2
+            if is_low:
+                light *= _floor_light(
+                    buffers.floor_shade,
+                    buffers.floor_frame,
+                    origin[0] + share_1 * edge_1[0] + share_2 * edge_2[0],
+                    origin[1] + share_1 * edge_1[1] + share_2 * edge_2[1],
+                )
             texel_red = texel_green = texel_blue = np.float32(255.0)
             if not is_plain:
                 uv = (u0 + share_1 * u1 + share_2 * u2, v0 + share_1 * v1 + share_2 * v2)
@@ -132,6 +143,20 @@ def _sample(
 @njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
 def _channel(texel: np.uint32, shift: int) -> np.float32:
     return np.float32(np.int32((texel >> np.uint32(shift)) & np.uint32(255)))
+
+
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")
+def _floor_light(shade: NDArray[np.float32], frame: NDArray[np.float32], x: np.float32, y: np.float32) -> np.float32:
+    """Return the share of light left at a point of the floor (m, world), between the centres of four cells."""
+    one, zero = np.float32(1.0), np.float32(0.0)
+    column = min(max((x - frame[0]) * frame[2], zero), np.float32(shade.shape[1] - 1))
+    row = min(max((y - frame[1]) * frame[2], zero), np.float32(shade.shape[0] - 1))
+    x0, y0 = np.int64(column), np.int64(row)
+    x1, y1 = min(x0 + 1, shade.shape[1] - 1), min(y0 + 1, shade.shape[0] - 1)
+    right, up = column - np.float32(x0), row - np.float32(y0)
+    lower = shade[y0, x0] * (one - right) + shade[y0, x1] * right
+    upper = shade[y1, x0] * (one - right) + shade[y1, x1] * right
+    return lower * (one - up) + upper * up
 
 
 @njit(cache=True, nogil=True, fastmath=True, error_model="numpy", inline="always")

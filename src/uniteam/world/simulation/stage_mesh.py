@@ -1,6 +1,6 @@
 """A home's stage as meshes: floors, walls with their openings, window panes, ceilings and the lamps that hang there."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -9,12 +9,9 @@ from numpy.typing import NDArray
 
 from uniteam.world.assets.mesh import Material, Mesh
 from uniteam.world.assets.textures import load_texture, texture_size
-from uniteam.world.homes.home import Room, Stage
-from uniteam.world.simulation.panel import MeshBuilder, Plane, Surface
+from uniteam.world.homes.home import Room, Stage, Wall
+from uniteam.world.simulation.panel import MeshBuilder, Plane, Surface, grid_cuts
 from uniteam.world.simulation.wall_mesh import WallPainter, wall_faces
-
-GRID = 0.5
-"""Light is computed at the corners of a grid of about this size (m)."""
 
 CEILING_SURFACE = Surface(Material((0.95, 0.95, 0.94)))
 LAMP_SURFACE = Surface(Material((1.0, 0.98, 0.93)))
@@ -46,12 +43,6 @@ def room_at(stage: Stage, x: float, y: float) -> int | None:
     return None
 
 
-def grid_cuts(low: float, high: float) -> list[float]:
-    """Return the borders of equal cells of about `GRID` between two ends (m)."""
-    count = max(1, round((high - low) / GRID))
-    return [low + (high - low) * k / count for k in range(count + 1)]
-
-
 def stage_parts(stage: Stage) -> tuple[StagePart, ...]:
     """Return everything of the stage that can be seen; raises UnknownNameError for a texture that the pack lacks."""
     parts = [_floor(index, room) for index, room in enumerate(stage.rooms)]
@@ -61,7 +52,7 @@ def stage_parts(stage: Stage) -> tuple[StagePart, ...]:
     for index, wall in enumerate(stage.walls):
         parts += [
             StagePart(f"wall_{index}", face.mesh, face.room, face.is_glowing)
-            for face in wall_faces(wall, stage.ceiling_height, painter)
+            for face in wall_faces(wall, stage.ceiling_height, painter, _is_continued(wall, stage.walls))
         ]
     return tuple(parts)
 
@@ -73,6 +64,22 @@ def _room_finder(stage: Stage) -> Callable[[float, float], int | None]:
 @lru_cache(maxsize=64)
 def _texture(name: str) -> NDArray[np.uint8]:
     return load_texture(name)
+
+
+def _is_continued(wall: Wall, walls: Sequence[Wall]) -> tuple[bool, bool]:
+    """Say whether another wall goes on in the same line from a wall's start, and from its end."""
+    along = np.subtract(wall.end, wall.start) / np.linalg.norm(np.subtract(wall.end, wall.start))
+    others = [other for other in walls if other is not wall and _is_parallel(other, along)]
+    start, end = (
+        any(np.allclose(point, other_point, atol=1e-3) for other in others for other_point in (other.start, other.end))
+        for point in (wall.start, wall.end)
+    )
+    return start, end
+
+
+def _is_parallel(wall: Wall, along: NDArray[np.float64]) -> bool:
+    step = np.subtract(wall.end, wall.start)
+    return bool(abs(step[0] * along[1] - step[1] * along[0]) < 1e-6 * np.linalg.norm(step))
 
 
 def _wall_surface(room: Room) -> Surface:

@@ -1,7 +1,7 @@
 """A wall as meshes: two faces painted by the rooms they look into, reveals, casings, baseboards, window panes."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 
 from uniteam.world.assets.mesh import Material, Mesh
 from uniteam.world.homes.home import Opening, Wall
-from uniteam.world.simulation.panel import MeshBuilder, Plane, Surface
+from uniteam.world.simulation.panel import MeshBuilder, Plane, Surface, grid_cuts
 
-GRID = 0.5
 BASEBOARD_HEIGHT, BASEBOARD_DEPTH = 0.08, 0.012
 CASING_WIDTH, CASING_DEPTH = 0.07, 0.018
 MULLION_WIDTH, MULLION_DEPTH = 0.05, 0.06
@@ -61,13 +60,16 @@ class _Side:
     """A wall seen from one side.
 
     Attributes:
-        frame: (4, 4); x along the wall from its start, y out of this face, z up, origin on the centre line.
-        length, half_thickness, height: m.
-        openings: from left to right.
+        frame: (4, 4); x along the wall, y out of this face, z up, origin on the centre line, at the foot of the
+            world's origin, so that the paint of walls in one line goes on from one to the next.
+        begin, end: where the wall is along x, with what reaches into the walls that it meets (m).
+        half_thickness, height: m.
+        openings: along x.
     """
 
     frame: NDArray[np.float64]
-    length: float
+    begin: float
+    end: float
     half_thickness: float
     height: float
     openings: tuple[Opening, ...]
@@ -86,66 +88,59 @@ class _Side:
         return float(x), float(y)
 
 
-def wall_faces(wall: Wall, height: float, painter: WallPainter) -> Iterator[WallFace]:
-    """Yield a wall's pieces, up to the ceiling's height (m)."""
-    left, right = _side(wall, height, 1.0), _side(wall, height, -1.0)
+def wall_faces(
+    wall: Wall, height: float, painter: WallPainter, is_continued: tuple[bool, bool] = (False, False)
+) -> Iterator[WallFace]:
+    """Yield a wall's pieces up to the ceiling's height (m); another wall may go on from its start or from its end."""
+    left, right = (_side(wall, height, sign, is_continued) for sign in (1.0, -1.0))
     for side in (left, right):
         for start, end, room in _stretches(side, painter):
             yield WallFace(_face(side, start, end, painter.surface(room)), room)
-    for opening in wall.openings:
-        room = painter.room_at(*left.point((opening.start + opening.end) / 2.0, left.half_thickness + 0.1))
+    for opening in left.openings:
+        middle, out = (opening.start + opening.end) / 2.0, left.half_thickness + 0.1
+        rooms = [room for room in (painter.room_at(*left.point(middle, y)) for y in (out, -out)) if room is not None]
+        room = rooms[0] if rooms else None
         yield WallFace(_reveal(left, opening), room)
         if opening.kind == "window":
             yield WallFace(_pane(left, opening), room, is_glowing=True)
     yield WallFace(_rim(left), None)
 
 
-def _side(wall: Wall, height: float, sign: float) -> _Side:
+def _side(wall: Wall, height: float, sign: float, is_continued: tuple[bool, bool]) -> _Side:
     start, end = np.array(wall.start), np.array(wall.end)
-    length = float(np.linalg.norm(end - start))
-    along = (end - start) / length
+    along = (end - start) / np.linalg.norm(end - start)
+    first, last = float(start @ along), float(end @ along)
     frame = np.eye(4)
     frame[:2, 0] = along
     frame[:2, 1] = sign * np.array([-along[1], along[0]])
-    frame[:2, 3] = start
-    return _Side(frame, length, wall.thickness / 2.0, height, wall.openings)
+    frame[:2, 3] = start - first * along
+    before, after = (0.0 if continued else wall.thickness / 2.0 - END_GAP for continued in is_continued)
+    openings = tuple(replace(o, start=o.start + first, end=o.end + first) for o in wall.openings)
+    return _Side(frame, first - before, last + after, wall.thickness / 2.0, height, openings)
 
 
 def _stretches(side: _Side, painter: WallPainter) -> Iterator[tuple[float, float, int | None]]:
     """Yield where the room on this side changes: start, end (m along the wall) and the room."""
-    count = max(2, round(side.length / 0.05))
-    samples = (np.arange(count) + 0.5) * side.length / count
-    rooms = [painter.room_at(*side.point(float(a), side.half_thickness + 0.02)) for a in samples]
-    borders = [0, *(k for k in range(1, count) if rooms[k] != rooms[k - 1]), count]
-    overhang = side.half_thickness - END_GAP
-    for first, last in pairwise(borders):
-        start = -overhang if first == 0 else first * side.length / count
-        end = side.length + overhang if last == count else last * side.length / count
-        yield start, end, rooms[first]
+    borders = np.linspace(side.begin, side.end, max(2, round((side.end - side.begin) / 0.05)) + 1)
+    middles = (borders[:-1] + borders[1:]) / 2.0
+    rooms = [painter.room_at(*side.point(float(a), side.half_thickness + 0.02)) for a in middles]
+    changes = [0, *(k for k in range(1, len(rooms)) if rooms[k] != rooms[k - 1]), len(rooms)]
+    for first, last in pairwise(changes):
+        yield float(borders[first]), float(borders[last]), rooms[first]
 
 
 def _face(side: _Side, start: float, end: float, surface: Surface) -> Mesh:
     builder = MeshBuilder()
     plane = side.plane((0.0, 1.0, 0.0), (0.0, side.half_thickness, 0.0), (1.0, 0.0, 0.0))
     holes = [o for o in side.openings if o.end > start and o.start < end]
-    along = _cuts(start, end, [x for o in holes for x in (o.start, o.end)])
-    up = _cuts(0.0, side.height, [z for o in holes for z in (o.bottom, o.top)])
+    along = grid_cuts(start, end, [x for o in holes for x in (o.start, o.end)])
+    up = grid_cuts(0.0, side.height, [z for o in holes for z in (o.bottom, o.top)])
     builder.add_panel(plane, (along, up), surface, _solid(along, up, holes))
     for low, high in _free_floor(start, end, holes):
         _add_bar(builder, side, (low, high), (0.0, BASEBOARD_HEIGHT), BASEBOARD_DEPTH)
     for opening in holes:
         _add_casing(builder, side, opening)
     return builder.build()
-
-
-def _cuts(low: float, high: float, edges: Sequence[float]) -> list[float]:
-    """Return the grid's borders: the edges that lie within, and between them steps of about `GRID`."""
-    fixed = sorted({low, high, *(e for e in edges if low < e < high)})
-    cuts = [low]
-    for a, b in pairwise(fixed):
-        count = max(1, round((b - a) / GRID))
-        cuts += [a + (b - a) * (k + 1) / count for k in range(count)]
-    return cuts
 
 
 def _solid(along: Sequence[float], up: Sequence[float], holes: Sequence[Opening]) -> NDArray[np.bool_]:
@@ -234,10 +229,10 @@ def _pane(side: _Side, opening: Opening) -> Mesh:
 def _rim(side: _Side) -> Mesh:
     """Return the wall's top and its two ends."""
     builder = MeshBuilder()
-    half, overhang = side.half_thickness, side.half_thickness - END_GAP
+    half = side.half_thickness
     top = side.plane((0.0, 0.0, 1.0), (0.0, 0.0, side.height), (1.0, 0.0, 0.0))
-    builder.add_panel(top, ((-overhang, side.length + overhang), (-half, half)), TOP_SURFACE)
-    for along, normal in ((-overhang, -1.0), (side.length + overhang, 1.0)):
+    builder.add_panel(top, ((side.begin, side.end), (-half, half)), TOP_SURFACE)
+    for along, normal in ((side.begin, -1.0), (side.end, 1.0)):
         plane = side.plane((normal, 0.0, 0.0), (along, 0.0, 0.0), (0.0, 1.0, 0.0))
         builder.add_panel(plane, ((-half, half), (0.0, side.height)), OUTSIDE_SURFACE)
     return builder.build()
