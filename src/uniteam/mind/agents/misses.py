@@ -99,7 +99,7 @@ def _before(bird_map: BirdsEyeMap, cells: Mask, distance: float) -> Mask:
         slice(max(0, rows.min() - play), rows.max() + play + 1),
         slice(max(0, columns.min() - play), columns.max() + play + 1),
     )
-    own = cv2.dilate(cells[box].view(np.uint8), disc(2)).view(np.bool_)
+    own = cv2.dilate(cells[box].view(np.uint8), disc(1)).view(np.bool_)
     stands = np.zeros_like(cells)
     free = ~bird_map.obstacle[box] | own
     stands[box] = distance_field(free, np.ascontiguousarray(cells[box]), bird_map.cell_size) <= distance
