@@ -12,7 +12,7 @@ from uniteam.mind.navigation.exploration import goal_receptacle
 from uniteam.mind.navigation.goal import Goal
 
 BED = Box((1.5, -0.5, 0.0), (2.5, 0.5, 0.5), "bed")
-WALL = Box((1.25, -2.0, 0.0), (1.35, 0.1, 2.5))
+WALL = Box((1.25, -2.0, 0.0), (1.35, 0.6, 2.5))
 HERE = BasePose(0.0, 0.0, 0.0)
 
 
