@@ -105,3 +105,15 @@ def test_a_wrong_name_leads_to_a_snap_that_verify_pick_sees_through() -> None:
     wrong = Instruction("bowl", "table", "bed")
     result, _ = play(world, wrong, lambda view: pick(view, VERIFYING))
     assert isinstance(result, PickResult) and not result.grasped
+
+
+def test_look_around_pick_extends_the_arm_over_what_keeps_the_base_away() -> None:
+    bench = Box((0.35, -0.5, 0.0), (0.8, 0.5, 0.5), "bench")
+    boxes = (bench, Box((0.8, -0.5, 0.0), (1.6, 0.5, 0.6), "table"), Box((1.16, -0.04, 0.6), (1.24, 0.04, 0.7), "cup"))
+    worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    pick_in(worlds[0], BASIC)
+    pick_in(worlds[1], LOOKING)
+    assert worlds[0].held is None
+    assert worlds[1].held is not None
+    assert worlds[1].hits == []
+    assert worlds[1].joints.arm == pytest.approx(0.0)

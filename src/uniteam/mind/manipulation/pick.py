@@ -1,13 +1,13 @@
 """Picking: stand beside the object, look along the arm, and let the gripper snap at it."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 
 from uniteam.interface import DiscreteAction
-from uniteam.mind.manipulation.skill import Skill, discrete
+from uniteam.mind.manipulation.skill import Skill, discrete, move_joints
 from uniteam.mind.manipulation.sweep import Load
 from uniteam.mind.manipulation.view import Points, View
 from uniteam.mind.perception.vocabulary import ClassRole
@@ -53,6 +53,7 @@ def pick(view: View, config: PickConfig) -> Skill[PickResult]:
     load = load_seen(view)
     view = yield discrete(DiscreteAction.SNAP_OBJECT, f"I snap at the {name}.")
     grasped = config.is_grasped(view)
+    view = yield from move_joints(view, replace(view.observation.joints, arm=0.0), "I retract the arm.")
     outcome = f"The {name} is in the gripper, I believe" if grasped else f"The gripper is empty, so I missed the {name}"
     yield discrete(DiscreteAction.NAVIGATION_MODE, f"{outcome}; back to driving.")
     return PickResult(grasped, load)
