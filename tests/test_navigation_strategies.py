@@ -23,12 +23,15 @@ from uniteam.mind.navigation.exploration import (
     ChooseGoal,
     frontier,
     goal_receptacle,
+    plan_first,
     start_receptacle_not_been_close,
 )
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.planner import PlannerConfig
 from uniteam.mind.navigation.receptacles import MostProbableReceptacle, find_receptacles
 from uniteam.mind.navigation.surround import SurroundStartReceptacle
+from uniteam.mind.navigation.traversible import traversible
+from uniteam.mind.navigation.window import window_around
 
 START = BasePose(0.0, 0.0, 0.0)
 ROOM = room(-3.0, -3.0, 3.0, 3.0)
@@ -113,6 +116,34 @@ def test_a_passage_that_proved_too_narrow_is_not_tried_again(collisions: Collisi
     plan = drive.planner.plan(drive.bird_map, drive.base, goal)
     assert plan.reachable is tries_again
     assert drive.bird_map.collision.sum() == (0 if tries_again else before)
+
+
+def test_where_the_robot_has_been_is_no_way_through_an_obstacle_that_it_felt_since() -> None:
+    drive = Drive.begin(ROOM, START)
+    drive.base = BasePose(1.5, 0.0, 0.0)
+    drive.look()
+    window = window_around(drive.bird_map, drive.base)
+    row, column = window.inside(drive.bird_map.to_cell(0.7, 0.0))
+    robot = window.inside(drive.bird_map.to_cell(1.5, 0.0))
+    drive.bird_map.mark_felt(np.array([[0.7, 0.0]]))
+    assert not traversible(drive.bird_map, window, robot, 3)[row, column]
+    drive.bird_map.clear_felt()
+    assert traversible(drive.bird_map, window, robot, 3)[row, column]
+
+
+def test_collisions_that_shut_the_robot_in_are_forgotten() -> None:
+    drive = Drive.begin((*ROOM, bed(2.0, -0.5, 2.9, 0.5)), START, PlannerConfig(collisions=COLLISION_MAPPING))
+    for k in range(36):
+        pose = BasePose(0.0, 0.0, k * math.radians(10.0))
+        ahead = pose.compose(BasePose(0.5, 0.0, 0.0))
+        COLLISION_MAPPING.write(drive.bird_map, BlockedMotion(pose, (ahead.x, ahead.y), 1))
+    goal = goal_receptacle(drive.bird_map, drive.base)
+    assert goal is not None
+    assert not drive.planner.plan(drive.bird_map, drive.base, goal).reachable
+    found = plan_first(drive.planner, drive.bird_map, drive.base, FIND_RECEPTACLE)
+    assert found is not None
+    assert found[1].reachable
+    assert not drive.bird_map.felt.any()
 
 
 @pytest.mark.parametrize("config", [PlannerConfig(), PlannerConfig(collisions=COLLISION_MAPPING)])

@@ -96,6 +96,7 @@ class BirdsEyeMap:
         visited: the robot's axis passed over it.
         been_close: the robot stood within `been_close_radius`.
         collision: a blocked motion left its mark there.
+        felt: an obstacle that a collision wrote there, and nothing was seen.
         looked_from: (H, W) uint8, the sides from which the start receptacle there was looked at, as bits (see `looks`).
         origin: (x, y) in the start frame (m) of the corner of cell [0, 0].
         update_count: how many frames have been brought in.
@@ -106,6 +107,7 @@ class BirdsEyeMap:
     visited: Mask
     been_close: Mask
     collision: Mask
+    felt: Mask
 
     def __init__(self, config: MapConfig | None = None) -> None:
         """Begin with an empty map around the start."""
@@ -113,8 +115,8 @@ class BirdsEyeMap:
         half = round(self.config.initial_size / self.config.cell_size / 2)
         shape = (2 * half, 2 * half)
         self.origin = (-half * self.config.cell_size, -half * self.config.cell_size)
-        self.obstacle, self.explored, self.visited, self.been_close, self.collision = (
-            np.zeros(shape, dtype=np.bool_) for _ in range(5)
+        self.obstacle, self.explored, self.visited, self.been_close, self.collision, self.felt = (
+            np.zeros(shape, dtype=np.bool_) for _ in range(6)
         )
         self.looked_from = np.zeros(shape, dtype=np.uint8)
         self._class_cells = np.zeros((ROLE_COUNT, *shape), dtype=np.bool_)
@@ -198,13 +200,22 @@ class BirdsEyeMap:
         """Set the collision cells at (K, 2) points (x, y) of the start frame (m)."""
         self._mark(self.collision, points)
 
-    def mark_obstacle(self, points: NDArray[np.floating]) -> None:
-        """Set the obstacle cells at (K, 2) points (x, y) of the start frame (m)."""
-        self._mark(self.obstacle, points)
+    def mark_felt(self, points: NDArray[np.floating]) -> None:
+        """Make obstacles of the cells at (K, 2) points (x, y) of the start frame (m) that are none yet."""
+        felt = np.zeros(self.shape, dtype=np.bool_)
+        self._mark(felt, points)
+        felt &= ~self.obstacle
+        self.felt |= felt
+        self.obstacle |= felt
 
     def clear_collisions(self) -> None:
         """Forget every collision cell."""
         self.collision[:] = False
+
+    def clear_felt(self) -> None:
+        """Forget every obstacle that was only felt."""
+        self.obstacle &= ~self.felt
+        self.felt[:] = False
 
     def _mark(self, channel: Mask, points: NDArray[np.floating]) -> None:
         for x, y in points:
@@ -283,9 +294,9 @@ class BirdsEyeMap:
         """Add so many rows and columns before the first and after the last."""
         rows, columns = self.shape
         shape = rows + low[0] + high[0], columns + low[1] + high[1]
-        self.obstacle, self.explored, self.visited, self.been_close, self.collision = (
+        self.obstacle, self.explored, self.visited, self.been_close, self.collision, self.felt = (
             _placed(channel, low, shape)
-            for channel in (self.obstacle, self.explored, self.visited, self.been_close, self.collision)
+            for channel in (self.obstacle, self.explored, self.visited, self.been_close, self.collision, self.felt)
         )
         self.looked_from = _placed(self.looked_from, low, shape)
         self._class_cells = _placed(self._class_cells, low, shape)

@@ -36,10 +36,12 @@ class CollisionMemory:
     Attributes:
         write: writes a blocked motion into the map.
         replan: called when there is a path only without the collision cells or with a smaller dilation.
+        despair: called when there is no path to anything.
     """
 
     write: Callable[[BirdsEyeMap, BlockedMotion], None]
     replan: Callable[[BirdsEyeMap], None]
+    despair: Callable[[BirdsEyeMap], None]
 
 
 def write_patch_ahead(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
@@ -58,13 +60,13 @@ def forget_collisions(bird_map: BirdsEyeMap) -> None:
 def write_short_term_goal(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
     """Write an obstacle where the motion led, before the base's rim, wider when blocked again: UniTeam's improvement.
 
-    It stands in the obstacle map, so it is dilated as any obstacle and stays for good.
+    It stands in the obstacle map, so it is dilated as any obstacle, and stays until there is no path to anything.
     """
     length = max(RIM, motion.base.distance_to(*motion.short_term_goal))
     reach = round(length / bird_map.cell_size)
     width = min(2 * motion.in_a_row + 1, 13)
     points = _patch(motion.base, bird_map.cell_size, range(reach, reach + 2), width)
-    bird_map.mark_obstacle(points)
+    bird_map.mark_felt(points)
     bird_map.mark_collision(points)
 
 
@@ -72,10 +74,16 @@ def keep_collisions(bird_map: BirdsEyeMap) -> None:
     """Leave every collision where it is."""
 
 
-PATCH_UNTIL_REPLAN = CollisionMemory(write_patch_ahead, forget_collisions)
+def forget_all(bird_map: BirdsEyeMap) -> None:
+    """Forget all that collisions taught: they have shut the robot in."""
+    bird_map.clear_collisions()
+    bird_map.clear_felt()
+
+
+PATCH_UNTIL_REPLAN = CollisionMemory(write_patch_ahead, forget_collisions, forget_all)
 """The baseline's memory of collisions."""
 
-COLLISION_MAPPING = CollisionMemory(write_short_term_goal, keep_collisions)
+COLLISION_MAPPING = CollisionMemory(write_short_term_goal, keep_collisions, forget_all)
 """UniTeam's `collision_mapping`."""
 
 

@@ -48,15 +48,35 @@ FIND_RECEPTACLE: tuple[ChooseGoal, ...] = (goal_receptacle, frontier)
 """The baseline's search for the goal receptacle."""
 
 
+BLOCKED_OFTEN = 3
+"""Forward motions that were blocked one after the other."""
+
+
 def plan_first(
     planner: Planner, bird_map: BirdsEyeMap, base: BasePose, choices: Sequence[ChooseGoal]
 ) -> tuple[Goal, Plan] | None:
     """Return the first choice's goal to which there is a path, and the plan.
 
-    A goal that is reached counts: its plan's action is None. Where no goal has a path, the first one is approached as
-    nearly as possible; None when there is no goal at all, or when that place too has been reached.
+    A goal that is reached counts: its plan's action is None. Where no goal has a path, even after what collisions taught
+    is forgotten, the first one is approached as nearly as possible; None when there is no goal at all, or when the
+    robot has come as near to it as it can.
     """
-    nearest: tuple[Goal, Plan] | None = None
+    found = _first_reachable(planner, bird_map, base, choices)
+    if found is not None and not found[1].reachable and bird_map.collision.any():
+        planner.config.collisions.despair(bird_map)
+        found = _first_reachable(planner, bird_map, base, choices)
+    if found is None or found[1].reachable:
+        return found
+    if found[1].action is None or planner.blocked_in_a_row >= BLOCKED_OFTEN:
+        return None
+    return found
+
+
+def _first_reachable(
+    planner: Planner, bird_map: BirdsEyeMap, base: BasePose, choices: Sequence[ChooseGoal]
+) -> tuple[Goal, Plan] | None:
+    """Return the first choice to which there is a path, or else the first one that has a goal."""
+    nearest: Goal | None = None
     for choose in choices:
         goal = choose(bird_map, base)
         if goal is None:
@@ -64,7 +84,5 @@ def plan_first(
         plan = planner.plan(bird_map, base, goal)
         if plan.reachable:
             return goal, plan
-        nearest = nearest or (goal, plan)
-    if nearest is None or nearest[1].action is None:
-        return None
-    return nearest[0], planner.plan(bird_map, base, nearest[0])
+        nearest = nearest or goal
+    return None if nearest is None else (nearest, planner.plan(bird_map, base, nearest))

@@ -12,7 +12,8 @@ OWN_CELLS = 3
 def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: int) -> Mask:
     """Return the window's free cells: not within `dilation` cells of an obstacle, or visited.
 
-    The robot's own disc is free but for obstacles themselves: it stands there. Collision cells are not looked at.
+    The robot's own disc is free but for obstacles themselves: it stands there. Obstacles that were felt count more than
+    having been there before. Collision cells are not looked at.
 
     Args:
         bird_map: the map.
@@ -23,7 +24,8 @@ def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: in
     obstacle = window.cut(bird_map.obstacle)
     blocked = cv2.dilate(obstacle.view(np.uint8), disc(dilation)).view(np.bool_)
     own = disc_mask(obstacle.shape, robot, OWN_CELLS) & ~obstacle
-    free = ~blocked | own | window.cut(bird_map.visited)
+    felt = cv2.dilate(window.cut(bird_map.felt).view(np.uint8), disc(dilation)).view(np.bool_)
+    free = ~blocked | own | window.cut(bird_map.visited) & ~felt
     free[robot] = True
     return free
 
