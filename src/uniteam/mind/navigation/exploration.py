@@ -57,9 +57,9 @@ def plan_first(
 ) -> tuple[Goal, Plan] | None:
     """Return the first choice's goal to which there is a path, and the plan.
 
-    A goal that is reached counts: its plan's action is None. Where no goal has a path, even after what collisions taught
-    is forgotten, the first one is approached as nearly as possible; None when there is no goal at all, or when the
-    robot has come as near to it as it can.
+    A goal that is reached counts: its plan's action is None. Where no goal has a path, even after what collisions
+    taught is forgotten, the first one is approached as nearly as possible; None when there is no goal at all, or when
+    the robot has come as near to it as it can.
     """
     found = _first_reachable(planner, bird_map, base, choices)
     if found is not None and not found[1].reachable and bird_map.collision.any():
