@@ -10,6 +10,11 @@ from uniteam.mind.manipulation.level import CELL, RISE, level_points
 from uniteam.mind.manipulation.surface import PlacingPoints
 from uniteam.mind.manipulation.view import Points
 
+FLATNESS_WORTH = 0.05
+"""m of distance from the edge that it is worth to have level ground all around."""
+FLATNESS_RADIUS = 0.1
+"""m."""
+
 
 @dataclass(frozen=True)
 class SafeFromEdges:
@@ -35,7 +40,8 @@ class SafeFromEdges:
         candidates = level[chosen]
         distance = np.array([self._edge_distance(points, candidate) for candidate in candidates])
         offered = distance >= min(self.least, distance.max(initial=0.0))
-        worth = np.minimum(distance, self.margin) + 0.1 * distance
+        flatness = np.array([_flatness(points, candidate) for candidate in candidates])
+        worth = np.minimum(distance, self.margin) + 0.1 * distance + FLATNESS_WORTH * flatness
         return PlacingPoints(candidates[offered], worth[offered])
 
     def _edge_distance(self, points: Points, sample: NDArray[np.float32]) -> float:
@@ -49,3 +55,9 @@ class SafeFromEdges:
         closed = cv2.morphologyEx(cells, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
         padded = cv2.copyMakeBorder(closed, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
         return float(cv2.distanceTransform(padded, cv2.DIST_L2, 3)[half + 1, half + 1]) * CELL
+
+
+def _flatness(points: Points, sample: NDArray[np.float32]) -> float:
+    """Return the share of the points around a sample that are at its height: 1 on a table, little on a slope."""
+    near = points[np.abs(points[:, :2] - sample[:2]).max(axis=1) < FLATNESS_RADIUS, 2]
+    return float(np.mean(np.abs(near - sample[2]) < RISE)) if len(near) else 0.0

@@ -19,7 +19,7 @@ from uniteam.mind.manipulation.view import Points, View
 
 TIGHTEST_GAP = 0.02
 """m; between a surface and the lowest part of what is held over it."""
-HEIGHT_PRICE = 0.3
+HEIGHT_PRICE = 0.1
 """What a metre of fall costs in worth, which is in metres from the edge."""
 ELBOW_ROOM = 0.4
 """m beyond the arm's reach; what is farther is out of its way."""
@@ -42,7 +42,7 @@ class CloseInStepwise:
     most_steps: int = 12
     comfort: float = 0.92
     widest_turn: float = math.radians(60.0)
-    extra_heights: tuple[float, ...] = (0.0, 0.1, 0.2, 0.3, 0.4)
+    extra_heights: tuple[float, ...] = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
     sweep: SweepConfig = field(default_factory=SweepConfig)
 
     def __call__(self, view: View, task: PlaceTask) -> Skill[Aim | None]:
