@@ -48,9 +48,10 @@ class PickResult:
 def pick(view: View, config: PickConfig) -> Skill[PickResult]:
     """Snap at the object beside which the robot stands and faces; ends in navigation mode."""
     name = view.instruction.object_category.replace("_", " ")
+    seen_before = load_seen(view)
     view = yield discrete(DiscreteAction.MANIPULATION_MODE, f"I stand at the {name} and point the arm at it.")
     view = yield from config.bring_into_view(view)
-    load = load_seen(view)
+    load = seen_before.enclosing(load_seen(view))
     view = yield discrete(DiscreteAction.SNAP_OBJECT, f"I snap at the {name}.")
     grasped = config.is_grasped(view)
     view = yield from move_joints(view, replace(view.observation.joints, arm=0.0), "I retract the arm.")

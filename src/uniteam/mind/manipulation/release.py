@@ -30,7 +30,7 @@ class DropClear:
         clearance: between the surface and the lowest part of what is held (m).
     """
 
-    clearance: float = 0.08
+    clearance: float = 0.15
     wrist_pitch: float = LEVEL_WRIST
 
     def height_above_surface(self, load: Load) -> float:

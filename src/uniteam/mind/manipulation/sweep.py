@@ -31,6 +31,12 @@ class Load:
     along_arm: float
     below: float
 
+    def enclosing(self, other: "Load") -> "Load":
+        """Return the room that is enough for either; a thing in part out of view looks smaller than it is."""
+        return Load(
+            max(self.along_base, other.along_base), max(self.along_arm, other.along_arm), max(self.below, other.below)
+        )
+
 
 EMPTY_GRIPPER = Load(0.0, 0.0, 0.0)
 
@@ -55,7 +61,7 @@ class SweepConfig:
     wrist: float = 0.04
     hand: float = 0.05
     fingers: float = 0.025
-    margin: float = 0.03
+    margin: float = 0.04
 
 
 def is_sweep_free(surroundings: Points, joints: Joints, load: Load, config: SweepConfig) -> bool:
