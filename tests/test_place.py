@@ -62,7 +62,7 @@ def test_the_baseline_chooses_the_point_whose_slab_holds_most_points() -> None:
     generator = np.random.default_rng(0)
     crowd = np.column_stack([generator.uniform(0.0, 0.1, (400, 2)), np.full(400, 0.7)])
     scattered = np.column_stack([generator.uniform(1.0, 2.0, (400, 2)), generator.uniform(0.0, 0.7, 400)])
-    chosen = densest_slab(np.concatenate([crowd, scattered]).astype(np.float32), generator)
+    chosen = densest_slab(np.concatenate([crowd, scattered]).astype(np.float32), CUP_LOAD, generator)
     assert len(chosen.points) == 50
     best = chosen.points[chosen.best_first()[0]]
     assert best[0] < 0.2 and best[2] == pytest.approx(0.7)
@@ -101,8 +101,8 @@ def test_edge_margin_keeps_away_from_the_edge_and_from_what_lies_there() -> None
     top = np.column_stack([grid, np.full(len(grid), 0.7)]).astype(np.float32)
     near_edge = np.repeat(top[top[:, 0] < 0.04], 20, axis=0)
     cloud = np.concatenate([top, near_edge])
-    greedy = densest_slab(cloud, np.random.default_rng(1))
-    careful = SafeFromEdges()(cloud, np.random.default_rng(1))
+    greedy = densest_slab(cloud, CUP_LOAD, np.random.default_rng(1))
+    careful = SafeFromEdges()(cloud, CUP_LOAD, np.random.default_rng(1))
     assert greedy.points[greedy.best_first()[0]][0] < 0.12
     best = careful.points[careful.best_first()[0]]
     assert 0.11 < best[0] < 0.39 and 0.11 < best[1] < 0.39
@@ -116,7 +116,7 @@ def test_edge_margin_takes_the_bottom_of_a_basin_for_safe_and_its_walls_for_no_p
     basin = np.column_stack([x, y, np.where(is_rim, 0.9, 0.75)])
     wall = [(0.05, v, h) for v in ticks for h in np.arange(0.75, 0.9, 0.01)]
     cloud = np.concatenate([basin, wall]).astype(np.float32)
-    chosen = SafeFromEdges()(cloud, np.random.default_rng(2))
+    chosen = SafeFromEdges()(cloud, CUP_LOAD, np.random.default_rng(2))
     best = chosen.points[chosen.best_first()[0]]
     assert best[2] == pytest.approx(0.75, abs=0.01)
     assert 0.1 < best[0] < 0.3 and 0.1 < best[1] < 0.3

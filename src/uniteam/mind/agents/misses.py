@@ -7,6 +7,7 @@ import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc, disc_mask
+from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.navigation.distance_field import distance_field
 from uniteam.mind.navigation.exploration import ChooseGoal
 from uniteam.mind.navigation.goal import Goal, GoalKind
@@ -90,7 +91,7 @@ class Misses:
 
 
 def _before(bird_map: BirdsEyeMap, cells: Mask, distance: float) -> Mask:
-    """Return the cells within a distance (m) of some cells, but not those that a wall keeps apart from them."""
+    """Return the cells within a distance (m) of some cells, over receptacles, but not through a wall."""
     rows, columns = np.nonzero(cells)
     if len(rows) == 0:
         return cells
@@ -99,7 +100,8 @@ def _before(bird_map: BirdsEyeMap, cells: Mask, distance: float) -> Mask:
         slice(max(0, rows.min() - play), rows.max() + play + 1),
         slice(max(0, columns.min() - play), columns.max() + play + 1),
     )
-    own = cv2.dilate(cells[box].view(np.uint8), disc(1)).view(np.bool_)
+    receptacles = (bird_map.class_cells(role)[box] for role in (ClassRole.START_RECEPTACLE, ClassRole.GOAL_RECEPTACLE))
+    own = cv2.dilate(np.logical_or.reduce((cells[box], *receptacles)).view(np.uint8), disc(1)).view(np.bool_)
     stands = np.zeros_like(cells)
     free = ~bird_map.obstacle[box] | own
     stands[box] = distance_field(free, np.ascontiguousarray(cells[box]), bird_map.cell_size) <= distance

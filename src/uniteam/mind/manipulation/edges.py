@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from uniteam.mind.manipulation.level import CELL, RISE, level_points
 from uniteam.mind.manipulation.surface import PlacingPoints
+from uniteam.mind.manipulation.sweep import Load
 from uniteam.mind.manipulation.view import Points
 
 FLATNESS_WORTH = 0.05
@@ -24,7 +25,7 @@ class SafeFromEdges:
     a rim or a wall of the receptacle itself is no edge, so the middle of a seat, a basin or a bowl is safe.
 
     Attributes:
-        margin: the distance (m) that is enough; points that have more are worth hardly more.
+        margin: the distance (m) that is enough for what is not larger; points that have more are worth hardly more.
         least: points that have less (m) are not offered, unless no point has more.
         samples: how many points to weigh.
     """
@@ -33,7 +34,7 @@ class SafeFromEdges:
     least: float = 0.04
     samples: int = 150
 
-    def __call__(self, points: Points, generator: np.random.Generator) -> PlacingPoints:
+    def __call__(self, points: Points, load: Load, generator: np.random.Generator) -> PlacingPoints:
         """Return sampled points with their worth."""
         level = level_points(points)
         chosen = generator.choice(len(level), size=min(self.samples, len(level)), replace=False)
@@ -41,7 +42,8 @@ class SafeFromEdges:
         distance = np.array([self._edge_distance(points, candidate) for candidate in candidates])
         offered = distance >= min(self.least, distance.max(initial=0.0))
         flatness = np.array([_flatness(points, candidate) for candidate in candidates])
-        worth = np.minimum(distance, self.margin) + 0.1 * distance + FLATNESS_WORTH * flatness
+        margin = max(self.margin, load.along_base)
+        worth = np.minimum(distance, margin) + 0.1 * distance + FLATNESS_WORTH * flatness
         return PlacingPoints(candidates[offered], worth[offered])
 
     def _edge_distance(self, points: Points, sample: NDArray[np.float32]) -> float:

@@ -34,7 +34,7 @@ class DriveInOneGo:
         points = view.points(ClassRole.GOAL_RECEPTACLE)
         if len(points) == 0:
             return None
-        chosen = task.choose_points(points, task.generator)
+        chosen = task.choose_points(points, task.load, task.generator)
         if len(chosen.points) == 0:
             return None
         target = chosen.points[chosen.best_first()[0]]

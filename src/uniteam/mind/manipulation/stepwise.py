@@ -81,7 +81,7 @@ class CloseInStepwise:
     def _nearest_good_point(self, points: Points, task: PlaceTask) -> np.ndarray | None:
         if len(points) == 0:
             return None
-        chosen = task.choose_points(points, task.generator)
+        chosen = task.choose_points(points, task.load, task.generator)
         if len(chosen.points) == 0:
             return None
         distance = np.hypot(chosen.points[:, 0], chosen.points[:, 1])
@@ -92,7 +92,7 @@ class CloseInStepwise:
         """Turn so that the arm's line meets the best of the points that it reaches freely, and answer with the aim."""
         if len(points) == 0:
             return None
-        chosen = task.choose_points(points, task.generator)
+        chosen = task.choose_points(points, task.load, task.generator)
         found = self._first_free(view, chosen, surroundings, task)
         if found is None:
             return None

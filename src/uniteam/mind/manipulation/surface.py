@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.mind.manipulation.sweep import Load
 from uniteam.mind.manipulation.view import Points
 
 SLAB_WIDTH = 0.2
@@ -36,11 +37,11 @@ class PlacingPoints:
         return np.argsort(-self.worth, kind="stable")
 
 
-PointRule = Callable[[Points, np.random.Generator], PlacingPoints]
-"""From the points seen of a receptacle to those on which a thing can be put."""
+PointRule = Callable[[Points, Load, np.random.Generator], PlacingPoints]
+"""From the points seen of a receptacle and what is to be put there to the points on which it can be."""
 
 
-def densest_slab(points: Points, generator: np.random.Generator) -> PlacingPoints:
+def densest_slab(points: Points, load: Load, generator: np.random.Generator) -> PlacingPoints:
     """Return 50 sampled points, each worth the number of points in the square of equal height around it.
 
     The rule of HomeRobot's heuristic placing (arXiv 2306.11565).

@@ -9,9 +9,13 @@ from numpy.typing import NDArray
 from uniteam.geometry import invert_transform
 from uniteam.interface import Instruction, Observation, Segmentation
 from uniteam.mind.perception.vocabulary import ClassRole, roles_of
+from uniteam.stretch import gripper_to_base
 
 Points = NDArray[np.float32]
 """(N, 3), m."""
+
+HELD_WITHIN = 0.15
+"""m; what comes so near to the grasp centre of a gripper that holds something is what it holds."""
 
 
 @dataclass(frozen=True)
@@ -47,15 +51,29 @@ class View:
 
     def nearest(self, role: ClassRole, point: NDArray[np.floating]) -> Points:
         """Return the points (m, base frame) of that detection of a role whose middle is nearest to `point`; or none."""
-        best, shortest = np.zeros((0, 3), dtype=np.float32), float(np.inf)
+        index = self._nearest_index(role, point)
+        return self.cloud[(self.segmentation.instances == index) & self.returned & (index >= 0)]
+
+    def surroundings(self) -> Points:
+        """Return the (N, 3) points (m, base frame) of everything seen, but the object in the gripper or soon to be."""
+        own = self._own_object()
+        return self.cloud[self.returned & ~((self.segmentation.instances == own) & (own >= 0))]
+
+    def _own_object(self) -> int:
+        """Return the index of the detection that the gripper holds or, empty, is nearest to; -1 where there is none."""
+        grasp_centre = gripper_to_base(self.observation.joints)[:3, 3]
+        index = self._nearest_index(ClassRole.OBJECT, grasp_centre)
+        if index < 0 or not self.observation.is_holding:
+            return index
+        points = self.cloud[(self.segmentation.instances == index) & self.returned]
+        return index if np.linalg.norm(points - grasp_centre, axis=1).min() < HELD_WITHIN else -1
+
+    def _nearest_index(self, role: ClassRole, point: NDArray[np.floating]) -> int:
+        best, shortest = -1, float(np.inf)
         for index, detection in enumerate(self.segmentation.detections):
             if role in roles_of(detection, self.instruction):
                 points = self.cloud[(self.segmentation.instances == index) & self.returned]
                 distance = float(np.linalg.norm(points.mean(axis=0) - point)) if len(points) else np.inf
                 if distance < shortest:
-                    best, shortest = points, distance
+                    best, shortest = index, distance
         return best
-
-    def surroundings(self) -> Points:
-        """Return the (N, 3) points (m, base frame) of everything that is seen, but what the gripper holds."""
-        return self.cloud[self.returned & ~self.mask(ClassRole.OBJECT)]
