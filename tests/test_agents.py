@@ -3,7 +3,7 @@
 import json
 import math
 from collections import Counter
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -150,6 +150,29 @@ def test_blind_eyes_lead_to_exploring_and_in_the_end_to_giving_up(config) -> Non
     assert set(states(decisions)) <= {"LOOK_AROUND", "FIND_OBJECT", "DONE"}
     assert decisions[-1].action is DiscreteAction.STOP
     assert "give up" in decisions[-1].reason
+
+
+def test_a_robot_that_is_blocked_by_what_it_cannot_see_steps_aside_with_goal_or_frontier() -> None:
+    """An invisible wall stands before the table: the baseline drives at it for ever."""
+
+    @dataclass
+    class InvisibleWall(ArmWorld):
+        blocked: int = 0
+
+        def do(self, action: Action) -> None:
+            before = self.base
+            super().do(action)
+            if self.base.x > 0.6 and -0.6 < self.base.y < 0.6 and isinstance(action, BaseDisplacement) and action.x:
+                self.base, self.blocked = before, self.blocked + 1
+
+    config = replace(BASELINE, first_turns=0)
+    worlds = [InvisibleWall((*ROOM, TABLE, CUP), BasePose(0.0, 0.0, 0.0), camera=CAMERA) for _ in range(2)]
+    stuck = drive(HeuristicAgent(config, see_truth), worlds[0], 120)
+    free = drive(HeuristicAgent(config.with_improvements({Improvement.GOAL_OR_FRONTIER}), see_truth), worlds[1], 120)
+    assert not any("step aside" in decision.reason for decision in stuck)
+    assert any("step aside" in decision.reason for decision in free)
+    assert worlds[0].held is None
+    assert worlds[1].held is not None
 
 
 def test_one_seed_gives_one_trace_and_another_seed_another() -> None:

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.agents.step_aside import BlockedOften, never_step_aside
 from uniteam.mind.manipulation.edges import SafeFromEdges
 from uniteam.mind.manipulation.look_around import LookAround
 from uniteam.mind.manipulation.one_go import DriveInOneGo, extend_blindly
@@ -43,6 +44,7 @@ class AgentConfig:
         find_receptacle: what to head for with the object in the gripper, in order of preference.
         pick: how to pick.
         place: how to place.
+        gives_way: after how many blocked motions in a row to step aside.
         is_stuck: when to leave what the robot heads for, for a frontier.
         first_turns: turns of 30 degrees to look around with at first.
     """
@@ -54,6 +56,7 @@ class AgentConfig:
     find_receptacle: tuple[ChooseGoal, ...]
     pick: PickConfig
     place: PlaceConfig
+    gives_way: Callable[[int], bool] = never_step_aside
     is_stuck: Callable[[Trail], bool] = never_stuck
     first_turns: int = 12
 
@@ -98,7 +101,7 @@ def _floor_filter(config: AgentConfig) -> AgentConfig:
 
 
 def _goal_or_frontier(config: AgentConfig) -> AgentConfig:
-    return replace(config, is_stuck=StuckDetector())
+    return replace(config, is_stuck=StuckDetector(), gives_way=BlockedOften())
 
 
 def _surround_start_receptacle(config: AgentConfig) -> AgentConfig:

@@ -33,6 +33,7 @@ class Memory:
         roles: which role a detection plays.
         turns: how many turns the robot has looked around with at first.
         idle_turns: how many turns it has made in a row because nothing was left to head for.
+        detour: the steps aside that are under way while something is searched for.
         skill: the pick or the place that is under way.
         attempt: where the pick or the place that is under way began.
         load: what the gripper is believed to hold.
@@ -49,6 +50,7 @@ class Memory:
     roles: RoleScores
     turns: int = 0
     idle_turns: int = 0
+    detour: Skill[None] | None = None
     skill: Skill[Any] | None = None
     attempt: Miss = field(default_factory=nowhere)
     load: Load = field(default_factory=object_of_unknown_size)

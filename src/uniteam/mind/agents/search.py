@@ -9,6 +9,7 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Action, DiscreteAction
 from uniteam.mind.agents.memory import Memory
 from uniteam.mind.agents.misses import Misses
+from uniteam.mind.agents.step_aside import step_aside
 from uniteam.mind.manipulation.skill import Step
 from uniteam.mind.manipulation.view import View
 from uniteam.mind.navigation.exploration import ChooseGoal, plan_first
@@ -52,6 +53,9 @@ RECEPTACLE_SEARCH = Search(GoalKind.GOAL_RECEPTACLE, ClassRole.GOAL_RECEPTACLE)
 
 def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, Finding]:
     """Return the next step of a search, and what it knows; no step where the robot stands before what it searched."""
+    aside = _go_on_aside(memory, view)
+    if aside is not None:
+        return aside, Finding.NOTHING
     base = view.observation.base_to_start
     choices, misses = _choices(search, memory)
     with section("planner"):
@@ -73,6 +77,19 @@ def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, F
         memory.commitment.set_out()
         return None, finding
     return Step(DiscreteAction.TURN_LEFT, f"I have come to the {_words(goal, memory)} and look around."), finding
+
+
+def _go_on_aside(memory: Memory, view: View) -> Step | None:
+    """Return the next step aside, where the robot is blocked too often or has not done with stepping aside."""
+    if memory.detour is None and memory.config.gives_way(memory.planner.blocked_in_a_row):
+        memory.planner.interrupt()
+        memory.detour = step_aside(view, memory.generator)
+        return next(memory.detour)
+    try:
+        return None if memory.detour is None else memory.detour.send(view)
+    except StopIteration:
+        memory.detour = None
+        return None
 
 
 def _is_stuck_before(plan: Plan, memory: Memory) -> bool:
