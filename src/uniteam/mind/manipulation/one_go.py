@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from uniteam.geometry import BasePose, transform_points
+from uniteam.geometry import transform_points
 from uniteam.mind.manipulation.place import Aim, PlaceTask, enter_manipulation_mode
 from uniteam.mind.manipulation.put_down import ArmPath
 from uniteam.mind.manipulation.release import reach_of
@@ -51,16 +51,12 @@ class DriveInOneGo:
 
 def _straight_path(view: View, target: np.ndarray, task: PlaceTask) -> ArmPath:
     """Raise the retracted arm over the height of a point of the start frame (m), then extend it."""
-    x, y, z = transform_points(_inverse(view.observation.base_to_start), target)
+    x, y, z = transform_points(view.observation.base_to_start.inverse().matrix(), target)
     reach, joints = reach_of(task.release), view.observation.joints
     height = float(z) + task.release.height_above_surface(task.load)
     end = reach.over(joints, reach.distance_to(float(x), float(y)), height)
     raised = replace(joints, lift=end.lift)
     return ArmPath((raised, replace(raised, wrist_pitch=end.wrist_pitch), end))
-
-
-def _inverse(pose: BasePose) -> np.ndarray:
-    return pose.inverse().matrix()
 
 
 def extend_blindly(view: View, task: PlaceTask) -> Skill[Aim]:

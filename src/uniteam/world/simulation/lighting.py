@@ -16,9 +16,6 @@ from uniteam.world.homes.home import Room, Stage
 GAMMA = 2.2
 """Exponent that stands for the sRGB curve."""
 
-LIGHT_LENGTH = 13
-"""Numbers that describe a light: see `light_array`."""
-
 _SHOULDER, _WHITE = 0.65, 1.05
 _CORNER_REACH = 0.30
 _CORNER_SHADE = 0.45
@@ -29,7 +26,7 @@ class RoomLight:
     """A room's light as the kernel reads it.
 
     Attributes:
-        numbers: (LIGHT_LENGTH,) float32: position (3), ambient share, lamp share, directional share, reach (m),
+        numbers: (13,) float32: position (3), ambient share, lamp share, directional share, reach (m),
             low corner of the room (3), high corner (3).
         tint: (3,) float32 colour, as the factor of an sRGB colour.
     """
@@ -75,7 +72,7 @@ def place_part(
     Args:
         vertices, normals: (V, 3) float32, model frame.
         model_to_world: (3, 4) float32 rigid.
-        light: (LIGHT_LENGTH,) float32 of `RoomLight`.
+        light: (13,) float32 of `RoomLight`.
         world_vertices, world_light: outputs.
     """
     m = model_to_world

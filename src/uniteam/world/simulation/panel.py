@@ -72,11 +72,6 @@ class MeshBuilder:
         self._surfaces: list[Surface] = []
         self._count = 0
 
-    @property
-    def is_empty(self) -> bool:
-        """Whether nothing was added."""
-        return not self._triangles
-
     def add_panel(
         self, plane: Plane, cuts: tuple[Sequence[float], Sequence[float]], surface: Surface, kept: NDArray | None = None
     ) -> None:
