@@ -8,8 +8,8 @@ from box_world import CAMERA, RADIUS, Box, cast, clearance, segmentation
 
 from uniteam.geometry import BasePose, PinholeCamera, transform_points
 from uniteam.interface import Action, BaseDisplacement, DiscreteAction, Instruction, JointDisplacement, Observation
-from uniteam.mind.manipulation.skill import Skill
-from uniteam.mind.manipulation.view import View
+from uniteam.mind.skills.skill import Skill
+from uniteam.mind.skills.view import View
 from uniteam.stretch import (
     MANIPULATION_POSTURE,
     NAVIGATION_POSTURE,

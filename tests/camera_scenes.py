@@ -7,9 +7,9 @@ from uniteam.geometry import PinholeCamera
 from uniteam.world.assets.mesh import Material, Mesh
 from uniteam.world.assets.textures import texture_names
 from uniteam.world.homes.home import Home, Instance, Light, Opening, Room, Stage, Wall
-from uniteam.world.simulation.camera import render
-from uniteam.world.simulation.frame import Frame
-from uniteam.world.simulation.scene import Scene
+from uniteam.world.rendering.camera import render
+from uniteam.world.rendering.kernels.frame import Frame
+from uniteam.world.rendering.scene import Scene
 
 CAMERA = PinholeCamera.from_horizontal_fov(64, 48, np.radians(60.0))
 NOWHERE = Home("nowhere", Stage((), (), 2.5), ())

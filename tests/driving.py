@@ -10,10 +10,10 @@ from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import DiscreteAction, Instruction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig
 from uniteam.mind.mapping.class_role import role_scores
-from uniteam.mind.navigation.commitment import Commitment
-from uniteam.mind.navigation.exploration import ChooseGoal, plan_first
 from uniteam.mind.navigation.goal import Goal
-from uniteam.mind.navigation.planner import Plan, Planner, PlannerConfig
+from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
+from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
+from uniteam.mind.navigation.planning.planner import Plan, Planner, PlannerConfig
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(120, 160, math.radians(42.0))
 INSTRUCTION = Instruction("cup", "table", "bed")

@@ -7,9 +7,9 @@ from camera_scenes import BLUE, CAMERA, FORWARD, GREEN, NOWHERE, RED, quad, see,
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import PinholeCamera
 from uniteam.world.assets.mesh import Material, Mesh
-from uniteam.world.simulation.camera import render
-from uniteam.world.simulation.frame import MAX_DEPTH
-from uniteam.world.simulation.scene import Scene
+from uniteam.world.rendering.camera import render
+from uniteam.world.rendering.kernels.frame import MAX_DEPTH
+from uniteam.world.rendering.scene import Scene
 
 
 def test_a_plane_across_the_axis_is_equally_far_everywhere() -> None:

@@ -6,7 +6,7 @@ from camera_scenes import CAMERA, quad, see, sphere
 
 from uniteam.geometry import PinholeCamera
 from uniteam.world.assets.mesh import Material
-from uniteam.world.simulation.texture_atlas import build_mip_chain
+from uniteam.world.rendering.kernels.texture_atlas import build_mip_chain
 
 WHITE = (1.0, 1.0, 1.0)
 

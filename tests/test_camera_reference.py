@@ -5,8 +5,8 @@ import pytest
 from camera_scenes import looking
 
 from uniteam.stretch import HEAD_CAMERA_HALF
-from uniteam.world.homes.generate import generate_home
-from uniteam.world.simulation.reference import OpenGLMissingError, compare_with_mujoco
+from uniteam.world.generation.generate import generate_home
+from uniteam.world.rendering.mujoco_reference import OpenGLMissingError, compare_with_mujoco
 
 
 def test_the_camera_agrees_with_mujoco_s_renderer_in_a_furnished_home() -> None:

@@ -11,11 +11,11 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Joints
 from uniteam.stretch import NAVIGATION_POSTURE, gripper_to_base
 from uniteam.world.assets.catalogue import Box, Catalogue
-from uniteam.world.simulation.collision import TOUCH_DEPTH, ArmCollider
-from uniteam.world.simulation.held import HeldObject, hang
-from uniteam.world.simulation.motion import SAMPLE_TRAVEL, RobotState, samples, turned, with_joints
-from uniteam.world.simulation.physics import Physics
-from uniteam.world.simulation.shapes import model_vertices
+from uniteam.world.physics.collision_shapes import model_vertices
+from uniteam.world.physics.physics import Physics
+from uniteam.world.simulation.arm_collision import TOUCH_DEPTH, ArmCollider
+from uniteam.world.simulation.held_object import HeldObject, hang
+from uniteam.world.simulation.robot_state import SAMPLE_TRAVEL, RobotState, samples, turned, with_joints
 
 FINGERTIPS = -0.429
 """y of the fingertips (m, base frame) with the arm retracted and the wrist straight."""

@@ -2,7 +2,7 @@
 
 import pytest
 
-from uniteam.evaluation.agents import ORACLE, AgentSpec
+from uniteam.evaluation.agent_spec import ORACLE, AgentSpec
 from uniteam.geometry import BasePose
 from uniteam.interface import Action, Agent
 from uniteam.mind.agents.registry import AGENT_NAMES

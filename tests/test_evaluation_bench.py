@@ -2,7 +2,7 @@
 
 import pytest
 
-from uniteam.evaluation.agents import AgentSpec
+from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.bench import measure
 from uniteam.world.task.splits import load_split
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from uniteam.evaluation.play import Step, play_episode, result_of_exception
+from uniteam.evaluation.episode_loop import Step, play_episode, result_of_exception
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Action, Decision, DiscreteAction, Instruction, Joints, Observation
 from uniteam.world.task.episode import Candidate, Episode

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from uniteam.errors import UniteamError, UnknownNameError
-from uniteam.evaluation.pool import SINGLE_THREADED, Job, Lost, WorkerPool
+from uniteam.evaluation.backends.processes import SINGLE_THREADED, Job, Lost, WorkerPool
 
 
 def square_or_die() -> Callable[[int], tuple[int, int]]:

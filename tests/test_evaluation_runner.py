@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from uniteam.errors import InvalidInputError
-from uniteam.evaluation.agents import AgentSpec, label_agents
-from uniteam.evaluation.result import EpisodeResult
-from uniteam.evaluation.runner import Evaluation, Run, choose_episodes
+from uniteam.evaluation.agent_spec import AgentSpec, label_agents
+from uniteam.evaluation.evaluation import Evaluation, Run, choose_episodes
+from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split, write_split
 

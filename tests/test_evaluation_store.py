@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from uniteam.errors import DamagedFileError, InvalidInputError
-from uniteam.evaluation.result import EpisodeResult, result_from_line, result_to_line
-from uniteam.evaluation.store import ResultStore
+from uniteam.evaluation.results.result import EpisodeResult, result_from_line, result_to_line
+from uniteam.evaluation.results.store import ResultStore
 from uniteam.world.task.measures import Measures
 
 BASELINE = {"threshold": 0.45, "states": ("PICK", "PLACE")}

@@ -2,11 +2,11 @@
 
 import pytest
 
-from uniteam.evaluation.failure import explain_failure
-from uniteam.evaluation.intervals import estimate_mean, estimate_proportion, student_quantile
-from uniteam.evaluation.result import EpisodeResult
-from uniteam.evaluation.summary import summarize
-from uniteam.evaluation.table import challenge_table
+from uniteam.evaluation.analysis.table import challenge_table
+from uniteam.evaluation.results.failure_cause import explain_failure
+from uniteam.evaluation.results.intervals import estimate_mean, estimate_proportion, student_quantile
+from uniteam.evaluation.results.result import EpisodeResult
+from uniteam.evaluation.results.summary import summarize
 from uniteam.world.task.measures import Measures
 
 

@@ -6,17 +6,18 @@ import numpy as np
 import pytest
 
 from uniteam.world.assets.catalogue import Box, Catalogue, Model, Role, SupportSurface
-from uniteam.world.homes import hanging, placing
-from uniteam.world.homes.clutter import scatter
-from uniteam.world.homes.doors import fitting_leaves, open_leaves
-from uniteam.world.homes.floor_plan import PlannedRoom
-from uniteam.world.homes.furniture_rules import Placing
+from uniteam.world.generation.furniture import hanging
+from uniteam.world.generation.furniture import standing as placing
+from uniteam.world.generation.furniture.doors import fitting_leaves, open_leaves
+from uniteam.world.generation.furniture.placement import Placement, Site
+from uniteam.world.generation.furniture.room_floor import Volume
+from uniteam.world.generation.furniture.rules import Placing
+from uniteam.world.generation.objects.scatter import scatter
+from uniteam.world.generation.objects.stock import ObjectStock
+from uniteam.world.generation.plan.floor_plan import PlannedRoom
+from uniteam.world.generation.plan.openings import PlannedOpening, PlannedWall
+from uniteam.world.generation.plan.rect import Rect
 from uniteam.world.homes.home import Instance
-from uniteam.world.homes.object_stock import ObjectStock
-from uniteam.world.homes.openings import PlannedOpening, PlannedWall
-from uniteam.world.homes.placement import Placement, Site
-from uniteam.world.homes.rect import Rect
-from uniteam.world.homes.room_floor import Volume
 
 ROOM = Rect(6, 6, 494, 394)
 

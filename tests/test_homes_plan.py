@@ -5,7 +5,8 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from uniteam.world.homes.floor_plan import (
+from uniteam.world.generation.furniture.room_floor import RoomFloor, Volume, standing_strip
+from uniteam.world.generation.plan.floor_plan import (
     MAX_FLOOR_AREA,
     MAX_ROOM_COUNT,
     MIN_FLOOR_AREA,
@@ -13,9 +14,8 @@ from uniteam.world.homes.floor_plan import (
     FloorPlan,
     draw_floor_plan,
 )
-from uniteam.world.homes.openings import PlannedWall, draw_walls
-from uniteam.world.homes.rect import Rect
-from uniteam.world.homes.room_floor import RoomFloor, Volume, standing_strip
+from uniteam.world.generation.plan.openings import PlannedWall, draw_walls
+from uniteam.world.generation.plan.rect import Rect
 
 SEEDS = range(60)
 

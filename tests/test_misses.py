@@ -5,11 +5,11 @@ from box_world import Box, observe
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
-from uniteam.mind.agents.misses import Miss, Misses
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.class_role import role_scores
-from uniteam.mind.navigation.exploration import goal_receptacle
 from uniteam.mind.navigation.goal import Goal
+from uniteam.mind.navigation.goals.exploration import goal_receptacle
+from uniteam.mind.navigation.goals.failed_attempts import Miss, Misses
 
 BED = Box((1.5, -0.5, 0.0), (2.5, 0.5, 0.5), "bed")
 WALL = Box((1.25, -2.0, 0.0), (1.35, 0.6, 2.5))

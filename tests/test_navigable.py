@@ -9,7 +9,7 @@ from small_home import BALL, CATALOGUE, SINK, TABLE, instance, small_home
 
 from uniteam.geometry import BasePose
 from uniteam.world.assets.catalogue import Box, Catalogue
-from uniteam.world.simulation.navigable import NavigableFloor
+from uniteam.world.physics.navigable_floor import NavigableFloor
 
 
 def floor_of(*instances) -> NavigableFloor:

@@ -9,19 +9,19 @@ from driving import Drive, arrived
 
 from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction, MapLabel
+from uniteam.mind.agents.map_overlay import draw_overlay
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, disc_mask
-from uniteam.mind.navigation.exploration import (
+from uniteam.mind.navigation.goal import Goal, GoalKind
+from uniteam.mind.navigation.goals.exploration import (
     FIND_OBJECT,
     FIND_RECEPTACLE,
     frontier,
     goal_receptacle,
     start_receptacle_not_been_close,
 )
-from uniteam.mind.navigation.frontier import FrontierConfig, find_frontiers
-from uniteam.mind.navigation.goal import Goal, GoalKind
-from uniteam.mind.navigation.overlay import draw_overlay
-from uniteam.mind.navigation.planner import Planner, turn_exactly, turn_in_steps
-from uniteam.mind.navigation.traversible import traversible
+from uniteam.mind.navigation.goals.frontier import FrontierConfig, find_frontiers
+from uniteam.mind.navigation.planning.planner import Planner, turn_exactly, turn_in_steps
+from uniteam.mind.navigation.planning.traversible import traversible
 from uniteam.mind.navigation.window import window_around
 
 START = BasePose(0.0, 0.0, 0.0)

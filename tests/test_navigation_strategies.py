@@ -10,15 +10,9 @@ from driving import INSTRUCTION, Drive, arrived
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig, disc_mask
 from uniteam.mind.mapping.class_role import ClassRole, role_scores
-from uniteam.mind.navigation.centre_approach import CentreApproach
-from uniteam.mind.navigation.collision_memory import (
-    COLLISION_MAPPING,
-    PATCH_UNTIL_REPLAN,
-    BlockedMotion,
-    CollisionMemory,
-)
-from uniteam.mind.navigation.commitment import Commitment, StuckDetector, never_stuck
-from uniteam.mind.navigation.exploration import (
+from uniteam.mind.navigation.goal import Goal, GoalKind
+from uniteam.mind.navigation.goals.centre_approach import CentreApproach
+from uniteam.mind.navigation.goals.exploration import (
     FIND_RECEPTACLE,
     ChooseGoal,
     frontier,
@@ -26,11 +20,17 @@ from uniteam.mind.navigation.exploration import (
     plan_first,
     start_receptacle_not_been_close,
 )
-from uniteam.mind.navigation.goal import Goal, GoalKind
-from uniteam.mind.navigation.planner import PlannerConfig
-from uniteam.mind.navigation.receptacles import MostProbableReceptacle, find_receptacles
-from uniteam.mind.navigation.surround import SurroundStartReceptacle
-from uniteam.mind.navigation.traversible import traversible
+from uniteam.mind.navigation.goals.goal_or_frontier import Commitment, StuckDetector, never_stuck
+from uniteam.mind.navigation.goals.receptacle_probability import MostProbableReceptacle, find_receptacles
+from uniteam.mind.navigation.goals.surround_start_receptacle import SurroundStartReceptacle
+from uniteam.mind.navigation.planning.collision_mapping import (
+    COLLISION_MAPPING,
+    PATCH_UNTIL_REPLAN,
+    BlockedMotion,
+    CollisionMemory,
+)
+from uniteam.mind.navigation.planning.planner import PlannerConfig
+from uniteam.mind.navigation.planning.traversible import traversible
 from uniteam.mind.navigation.window import window_around
 
 START = BasePose(0.0, 0.0, 0.0)

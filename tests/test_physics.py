@@ -6,7 +6,7 @@ from small_home import BALL, CATALOGUE, CUP, SINK, SINK_FLOOR, TABLE, TABLE_HEIG
 
 from uniteam.errors import UnknownNameError
 from uniteam.geometry import pose_matrix, yaw_quaternion
-from uniteam.world.simulation.physics import Physics
+from uniteam.world.physics.physics import Physics
 
 FURNITURE = (instance("table", TABLE, 1.0, 1.0), instance("sink", SINK, 2.5, 2.5, yaw=0.3))
 

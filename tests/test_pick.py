@@ -12,7 +12,7 @@ from uniteam.geometry import BasePose
 from uniteam.interface import DiscreteAction, Instruction
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvement import Improvement
-from uniteam.mind.manipulation.pick import PickConfig, PickResult, load_seen, pick
+from uniteam.mind.manipulation.pick.pick import PickConfig, PickResult, load_seen, pick
 
 INSTRUCTION = Instruction("cup", "table", "bed")
 TABLE = Box((0.45, -1.0, 0.0), (1.3, 1.0, 0.7), "table")

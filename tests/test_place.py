@@ -12,10 +12,10 @@ from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction, Instruction
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvement import Improvement
-from uniteam.mind.manipulation.edges import SafeFromEdges
-from uniteam.mind.manipulation.place import PlaceConfig, PlaceTask, place
-from uniteam.mind.manipulation.surface import densest_slab
-from uniteam.mind.manipulation.sweep import Load
+from uniteam.mind.manipulation.arm_clearance import Load
+from uniteam.mind.manipulation.place.edge_margin import SafeFromEdges
+from uniteam.mind.manipulation.place.place import PlaceConfig, PlaceTask, place
+from uniteam.mind.manipulation.place.placing_points import densest_slab
 
 INSTRUCTION = Instruction("cup", "sofa", "table")
 CUP = Box((0.0, 0.0, 0.0), (0.08, 0.08, 0.1), "cup")

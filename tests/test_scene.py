@@ -9,10 +9,10 @@ from uniteam.geometry import PinholeCamera, invert_transform, pose_matrix, trans
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.mesh import Material
 from uniteam.world.homes.home import Instance, Stage, Wall
-from uniteam.world.simulation.camera import render
-from uniteam.world.simulation.culling import coarsen, is_hidden
-from uniteam.world.simulation.scene import Scene
-from uniteam.world.simulation.stage_mesh import stage_parts
+from uniteam.world.rendering.camera import render
+from uniteam.world.rendering.kernels.culling import coarsen, is_hidden
+from uniteam.world.rendering.meshes.stage_mesh import stage_parts
+from uniteam.world.rendering.scene import Scene
 
 WIDE = PinholeCamera.from_horizontal_fov(160, 120, np.radians(75.0))
 

@@ -16,9 +16,9 @@ from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE, NAVIGATION_P
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.textures import texture_names
 from uniteam.world.homes.home import Home, Instance
-from uniteam.world.simulation.camera import render
-from uniteam.world.simulation.robot_mesh import part_poses, robot_parts
-from uniteam.world.simulation.scene import Scene
+from uniteam.world.rendering.camera import render
+from uniteam.world.rendering.meshes.robot_mesh import part_poses, robot_parts
+from uniteam.world.rendering.scene import Scene
 from uniteam.world.simulation.simulator import Simulator
 
 A = DiscreteAction

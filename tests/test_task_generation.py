@@ -11,15 +11,15 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, load_catalogue
+from uniteam.world.certification.candidate_tasks import Tally, Task, in_order_of_variety, possible_tasks
+from uniteam.world.certification.generate_episodes import START_DISTANCE, EpisodeMaker
+from uniteam.world.certification.view_points import Viewpoints
+from uniteam.world.generation.objects.settling import resting_on
 from uniteam.world.homes.home import Home
-from uniteam.world.homes.settling import resting_on
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.episode import Episode
 from uniteam.world.task.footprint import VIEW_DISTANCE, distance_to_footprint
-from uniteam.world.task.generate_episodes import START_DISTANCE, EpisodeMaker
 from uniteam.world.task.splits import SPLIT_DIRECTORY, SPLIT_NAMES, SUFFIX, load_split
-from uniteam.world.task.tasks import Tally, Task, in_order_of_variety, possible_tasks
-from uniteam.world.task.view_points import Viewpoints
 
 
 @pytest.fixture(scope="module")

@@ -11,13 +11,13 @@ from uniteam.interface import DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF, gripper_to_base
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home
+from uniteam.world.oracle.base_stands import manipulation_base
 from uniteam.world.simulation.simulator import Simulator, StepEvents
 from uniteam.world.task.episode import Certificate, Episode
 from uniteam.world.task.footprint import distance_to_footprint
 from uniteam.world.task.judge import Judge
 from uniteam.world.task.measures import Measures
 from uniteam.world.task.splits import load_split
-from uniteam.world.task.stands import manipulation_base
 
 NOTHING = StepEvents(base_blocked=False, scene_collision=False, grasped=None, released=None)
 FOUND = Measures(find_object_phase_success=True)

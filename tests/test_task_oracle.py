@@ -11,16 +11,16 @@ from uniteam.geometry import BasePose, invert_transform, transform_points
 from uniteam.interface import BaseDisplacement
 from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE, gripper_to_base
 from uniteam.world.assets.catalogue import load_catalogue
-from uniteam.world.simulation.motion import admissible
-from uniteam.world.simulation.navigable import NavigableFloor
-from uniteam.world.task.driving import straight, to_point, turn
-from uniteam.world.task.drop_points import LEAST_MARGIN, drop_points
+from uniteam.world.certification.drop_points import LEAST_MARGIN, drop_points
+from uniteam.world.oracle.base_driving import straight, to_point, turn
+from uniteam.world.oracle.base_stands import can_grasp, grasp_stands, manipulation_base, releases
+from uniteam.world.oracle.oracle import Oracle
+from uniteam.world.oracle.true_paths import PathField
+from uniteam.world.physics.navigable_floor import NavigableFloor
+from uniteam.world.simulation.robot_state import admissible
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Split
-from uniteam.world.task.oracle import Oracle
-from uniteam.world.task.paths import PathField
 from uniteam.world.task.splits import load_split
-from uniteam.world.task.stands import can_grasp, grasp_stands, manipulation_base, releases
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError
-from uniteam.evaluation.play import Step
+from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import (
     BaseDisplacement,
@@ -24,12 +24,12 @@ from uniteam.interface import (
     Segmentation,
 )
 from uniteam.visualization.canvas import Area, TextStyle, blank, place, text_width, wrap, write_wrapped
+from uniteam.visualization.captions import describe_action, new_milestones
 from uniteam.visualization.colors import BACKGROUND, GOAL_RECEPTACLE, MAP_COLORS, OBJECT, SUCCESS, name_color
 from uniteam.visualization.map_view import draw_map
 from uniteam.visualization.panel import HEIGHT, WIDTH, PanelContent, draw_panel
 from uniteam.visualization.segmentation_view import draw_segmentation
 from uniteam.visualization.video import VideoWriter
-from uniteam.visualization.words import describe_action, new_milestones
 from uniteam.world.task.measures import Measures
 
 INSTRUCTION = Instruction("toy_car", "table", "chest_of_drawers")

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from uniteam.evaluation.play import Step
+from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Action, BaseDisplacement, Decision, DiscreteAction, Joints, Observation
 from uniteam.visualization.narration import Narrator

@@ -7,7 +7,7 @@ import pytest
 
 from uniteam.geometry import BasePose
 from uniteam.world.homes.home import Stage, Wall
-from uniteam.world.simulation.watching import HEIGHT, REACH, TARGET_HEIGHT, Watcher
+from uniteam.world.rendering.third_person import HEIGHT, REACH, TARGET_HEIGHT, Watcher
 
 SOUTH = Wall((-5.0, 0.0), (5.0, 0.0), 0.1)
 WEST = Wall((-5.0, 0.0), (-5.0, 8.0), 0.1)

@@ -19,7 +19,7 @@ from assets_build.geometry import Geometry, decimate, split_by_crease
 from assets_build.glb import OutputMaterial, write_glb
 
 from uniteam.stretch import HEAD_RISE
-from uniteam.world.simulation.robot_mesh import ROBOT_DIRECTORY
+from uniteam.world.rendering.meshes.robot_mesh import ROBOT_DIRECTORY
 
 URDF = Path(stretch_urdf.__file__).parent / "RE2V0" / "stretch_description_RE2V0_tool_stretch_dex_wrist.urdf"
 

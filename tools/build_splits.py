@@ -11,12 +11,12 @@ from itertools import count
 from pathlib import Path
 
 from uniteam.world.assets.catalogue import Pool
-from uniteam.world.homes.generate import generate_home
+from uniteam.world.certification.candidate_tasks import Tally
+from uniteam.world.certification.generate_episodes import EpisodeMaker
+from uniteam.world.generation.generate import generate_home
 from uniteam.world.homes.home import Home
 from uniteam.world.task.episode import Episode, Split
-from uniteam.world.task.generate_episodes import EpisodeMaker
 from uniteam.world.task.splits import SPLIT_DIRECTORY, SUFFIX, load_split, write_split
-from uniteam.world.task.tasks import Tally
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ from rich.table import Table
 
 import uniteam
 from uniteam.errors import InvalidInputError
-from uniteam.evaluation.agents import AgentSpec
+from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.bench import BenchReport, compare_cameras, measure
-from uniteam.world.simulation.reference import OpenGLMissingError
+from uniteam.world.rendering.mujoco_reference import OpenGLMissingError
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split
 

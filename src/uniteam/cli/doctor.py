@@ -111,7 +111,7 @@ def _camera() -> Finding:
 
 def _opengl() -> Finding:
     """Nothing but the comparison with MuJoCo's renderer needs OpenGL, so its absence is no fault."""
-    from uniteam.world.simulation.reference import BACKENDS
+    from uniteam.world.rendering.mujoco_reference import BACKENDS
 
     for backend in BACKENDS:
         if _renders(backend):

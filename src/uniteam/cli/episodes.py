@@ -27,7 +27,7 @@ def episodes(
         per_home: episodes wanted in each home.
         pool: models of the homes: those of training homes, or the others.
     """
-    from uniteam.world.task.generate_episodes import generate_split
+    from uniteam.world.certification.generate_episodes import generate_split
     from uniteam.world.task.splits import SUFFIX, write_split
 
     seeds = _seeds(homes)

@@ -11,11 +11,11 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 
 import uniteam
 from uniteam.errors import InvalidInputError
-from uniteam.evaluation.agents import label_agents
-from uniteam.evaluation.result import EpisodeResult
-from uniteam.evaluation.runner import Evaluation, Run
-from uniteam.evaluation.summary import Summary, summarize
-from uniteam.evaluation.table import challenge_table
+from uniteam.evaluation.agent_spec import label_agents
+from uniteam.evaluation.analysis.table import challenge_table
+from uniteam.evaluation.evaluation import Evaluation, Run
+from uniteam.evaluation.results.result import EpisodeResult
+from uniteam.evaluation.results.summary import Summary, summarize
 
 
 def evaluate(

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
 
+from uniteam.visualization.home_pictures import draw_plan, view_from_above, views_inside
 from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES
-from uniteam.world.homes.drawing import draw_plan, view_from_above, views_inside
-from uniteam.world.homes.generate import generate_home
+from uniteam.world.generation.generate import generate_home
 from uniteam.world.homes.home import Home, Instance, Room
 
 

@@ -11,10 +11,10 @@ from rich.markup import escape
 from rich.table import Table
 
 from uniteam.errors import InvalidInputError
-from uniteam.evaluation.agents import label_agents
-from uniteam.evaluation.play import Observer, Step, play_episode
-from uniteam.evaluation.player import camera_named
-from uniteam.evaluation.result import EpisodeResult, measures_to_data
+from uniteam.evaluation.agent_spec import label_agents
+from uniteam.evaluation.episode_loop import Observer, Step, play_episode
+from uniteam.evaluation.results.result import EpisodeResult, measures_to_data
+from uniteam.evaluation.worker import camera_named
 from uniteam.visualization.film import Film
 from uniteam.visualization.narration import Narrator
 from uniteam.world.task.environment import Environment

@@ -7,13 +7,13 @@ from time import perf_counter
 
 import cv2
 
-from uniteam.evaluation.agents import AgentSpec
-from uniteam.evaluation.play import peak_memory, play_episode
+from uniteam.evaluation.agent_spec import AgentSpec
+from uniteam.evaluation.episode_loop import peak_memory, play_episode
 from uniteam.evaluation.warm_up import warm_up
 from uniteam.interface import DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.timing import stopwatch
-from uniteam.world.simulation.reference import Comparison, compare_with_mujoco
+from uniteam.world.rendering.mujoco_reference import Comparison, compare_with_mujoco
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Split
 

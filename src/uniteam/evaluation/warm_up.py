@@ -1,6 +1,6 @@
 """Have everything compiled before the clock runs: the first steps of a fresh machine take seconds each."""
 
-from uniteam.evaluation.play import PlayableEnvironment
+from uniteam.evaluation.episode_loop import PlayableEnvironment
 from uniteam.interface import Agent, DiscreteAction
 
 STEPS = 20

@@ -12,8 +12,8 @@ from uniteam.visualization.shape_mesh import shapes_and_surfaces
 from uniteam.world.assets.catalogue import Model
 from uniteam.world.assets.mesh import Mesh, load_mesh
 from uniteam.world.homes.home import Home, Stage
-from uniteam.world.simulation.camera import render
-from uniteam.world.simulation.scene import Scene
+from uniteam.world.rendering.camera import render
+from uniteam.world.rendering.scene import Scene
 
 Image = NDArray[np.uint8]
 

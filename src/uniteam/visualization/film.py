@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from uniteam.evaluation.play import Step
+from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose
 from uniteam.visualization.panel import HEIGHT, THIRD_PERSON_SIZE, WIDTH, PanelContent, draw_panel
 from uniteam.visualization.video import FRAMES_PER_SECOND, VideoWriter

@@ -2,10 +2,10 @@
 
 from collections.abc import Callable
 
-from uniteam.evaluation.play import Step
+from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction
-from uniteam.visualization.words import describe_action, new_milestones
+from uniteam.visualization.captions import describe_action, new_milestones
 from uniteam.world.task.measures import Measures
 
 STILL = 0.01

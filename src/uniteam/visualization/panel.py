@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 import cv2
 
-from uniteam.evaluation.play import Step
+from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction, MapOverlay
 from uniteam.visualization.canvas import BOLD, Area, Image, TextStyle, blank, place, text_width, write, write_tag
 from uniteam.visualization.canvas import write_wrapped as paragraph
+from uniteam.visualization.captions import MILESTONES, describe_action
 from uniteam.visualization.colors import (
     FAILURE,
     FAINT_TEXT,
@@ -22,7 +23,6 @@ from uniteam.visualization.colors import (
 )
 from uniteam.visualization.map_view import draw_map
 from uniteam.visualization.segmentation_view import draw_segmentation
-from uniteam.visualization.words import MILESTONES, describe_action
 
 WIDTH, HEIGHT = 1280, 720
 

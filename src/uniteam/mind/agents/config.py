@@ -4,32 +4,32 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from uniteam.mind.agents.improvement import Improvement
-from uniteam.mind.agents.step_aside import BlockedOften, never_step_aside
-from uniteam.mind.manipulation.edges import SafeFromEdges
-from uniteam.mind.manipulation.look_around import LookAround
-from uniteam.mind.manipulation.one_go import DriveInOneGo, extend_blindly
-from uniteam.mind.manipulation.pick import PickConfig, feel_the_gripper, snap_once, trust_the_snap
-from uniteam.mind.manipulation.place import PlaceConfig
-from uniteam.mind.manipulation.release import DropClear, FixedDrop
-from uniteam.mind.manipulation.stepwise import CloseInStepwise
-from uniteam.mind.manipulation.surface import densest_slab
-from uniteam.mind.manipulation.surface_fallback import OntoFlatSurface
+from uniteam.mind.manipulation.pick.look_around_pick import LookAround
+from uniteam.mind.manipulation.pick.pick import PickConfig, feel_the_gripper, snap_once, trust_the_snap
+from uniteam.mind.manipulation.place.baseline_place import DriveInOneGo, extend_blindly
+from uniteam.mind.manipulation.place.drop_height import DropClear, FixedDrop
+from uniteam.mind.manipulation.place.edge_margin import SafeFromEdges
+from uniteam.mind.manipulation.place.place import PlaceConfig
+from uniteam.mind.manipulation.place.placing_points import densest_slab
+from uniteam.mind.manipulation.place.stepwise_place import CloseInStepwise
+from uniteam.mind.manipulation.place.surface_fallback import OntoFlatSurface
 from uniteam.mind.mapping.birds_eye_map import MapConfig
-from uniteam.mind.navigation.centre_approach import CentreApproach
-from uniteam.mind.navigation.collision_memory import COLLISION_MAPPING
-from uniteam.mind.navigation.commitment import StuckDetector, Trail, never_stuck
-from uniteam.mind.navigation.exploration import (
+from uniteam.mind.navigation.goals.centre_approach import CentreApproach
+from uniteam.mind.navigation.goals.exploration import (
     FIND_OBJECT,
     FIND_RECEPTACLE,
     ChooseGoal,
     goal_receptacle,
     start_receptacle_not_been_close,
 )
-from uniteam.mind.navigation.planner import PlannerConfig
-from uniteam.mind.navigation.receptacles import MostProbableReceptacle
-from uniteam.mind.navigation.surround import SurroundStartReceptacle
+from uniteam.mind.navigation.goals.goal_or_frontier import StuckDetector, Trail, never_stuck
+from uniteam.mind.navigation.goals.receptacle_probability import MostProbableReceptacle
+from uniteam.mind.navigation.goals.surround_start_receptacle import SurroundStartReceptacle
+from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING
+from uniteam.mind.navigation.planning.planner import PlannerConfig
 from uniteam.mind.perception.filters import Filter, FloorFilter, ScoreFilter, Thresholds
 from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.mind.skills.step_aside import BlockedOften, never_step_aside
 
 
 @dataclass(frozen=True)

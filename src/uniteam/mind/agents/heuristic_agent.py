@@ -6,11 +6,11 @@ import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Decision, Instruction, MapOverlay, Observation, Perception, Segmentation
+from uniteam.mind.agents.blackboard import Memory
 from uniteam.mind.agents.config import AgentConfig
-from uniteam.mind.agents.machine import State, decide
-from uniteam.mind.agents.memory import Memory
-from uniteam.mind.manipulation.view import View
-from uniteam.mind.navigation.overlay import draw_overlay
+from uniteam.mind.agents.map_overlay import draw_overlay
+from uniteam.mind.agents.state_machine import State, decide
+from uniteam.mind.skills.view import View
 from uniteam.timing import section
 
 _NOWHERE = Instruction("", "", "")

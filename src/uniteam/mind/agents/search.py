@@ -7,15 +7,15 @@ import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Action, DiscreteAction
-from uniteam.mind.agents.memory import Memory
-from uniteam.mind.agents.misses import Misses
-from uniteam.mind.agents.step_aside import step_aside
-from uniteam.mind.manipulation.skill import Step
-from uniteam.mind.manipulation.view import View
-from uniteam.mind.navigation.exploration import ChooseGoal, plan_first
+from uniteam.mind.agents.blackboard import Memory
 from uniteam.mind.navigation.goal import Goal, GoalKind
-from uniteam.mind.navigation.planner import Plan
+from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
+from uniteam.mind.navigation.goals.failed_attempts import Misses
+from uniteam.mind.navigation.planning.planner import Plan
 from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.mind.skills.skill import Step
+from uniteam.mind.skills.step_aside import step_aside
+from uniteam.mind.skills.view import View
 from uniteam.timing import section
 
 FULL_TURN = 12

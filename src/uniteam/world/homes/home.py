@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import pose_matrix
-from uniteam.world.assets.catalogue import Point2, Point3, Pool
+from uniteam.world.assets.catalogue import Point2, Point3
 
 Quaternion = tuple[float, float, float, float]
 
@@ -117,13 +117,6 @@ class Home:
     stage: Stage
     instances: tuple[Instance, ...]
     seed: int | None = field(default=None)
-
-    @staticmethod
-    def generate(seed: int, pool: Pool = "test") -> "Home":
-        """Return the furnished home of a seed, from the models of a pool."""
-        from uniteam.world.homes.generate import generate_home  # the generator stands on homes, so it comes late
-
-        return generate_home(seed, pool)
 
     @cached_property
     def by_name(self) -> dict[str, Instance]:

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 from uniteam.geometry import PinholeCamera
 from uniteam.stretch import head_camera_to_base
 from uniteam.world.homes.home import Home
-from uniteam.world.simulation.camera import render
-from uniteam.world.simulation.frame import Frame
-from uniteam.world.simulation.motion import RobotState
-from uniteam.world.simulation.physics import Physics
-from uniteam.world.simulation.robot_mesh import part_poses, robot_parts
-from uniteam.world.simulation.scene import Scene
-from uniteam.world.simulation.watching import Watcher
+from uniteam.world.physics.physics import Physics
+from uniteam.world.rendering.camera import render
+from uniteam.world.rendering.kernels.frame import Frame
+from uniteam.world.rendering.meshes.robot_mesh import part_poses, robot_parts
+from uniteam.world.rendering.scene import Scene
+from uniteam.world.rendering.third_person import Watcher
+from uniteam.world.simulation.robot_state import RobotState
 
 _WATCHING_FOV = math.radians(60.0)
 _OVERHEAD = 1.9

@@ -22,11 +22,13 @@ from uniteam.stretch import (
 )
 from uniteam.timing import section
 from uniteam.world.homes.home import Home
-from uniteam.world.simulation.collision import ArmCollider
-from uniteam.world.simulation.frame import Frame
+from uniteam.world.physics.navigable_floor import NavigableFloor
+from uniteam.world.physics.physics import Physics
+from uniteam.world.rendering.kernels.frame import Frame
+from uniteam.world.simulation.arm_collision import ArmCollider
 from uniteam.world.simulation.gripper import Gripper
 from uniteam.world.simulation.home_view import HomeView
-from uniteam.world.simulation.motion import (
+from uniteam.world.simulation.robot_state import (
     FORWARD_STEP,
     TURN_STEP,
     RobotState,
@@ -36,8 +38,6 @@ from uniteam.world.simulation.motion import (
     turned,
     with_joints,
 )
-from uniteam.world.simulation.navigable import NavigableFloor
-from uniteam.world.simulation.physics import Physics
 
 STEP_SECONDS = 0.032
 """How much time passes in a step (s): the challenge's 30 steps a second, in whole physics steps."""

@@ -8,7 +8,7 @@ from uniteam.geometry import PinholeCamera, invert_transform
 from uniteam.interface import Action, Detection, DiscreteAction, Observation, Segmentation
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.world.homes.home import Home
-from uniteam.world.simulation.frame import Frame
+from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.episode import Episode
 from uniteam.world.task.judge import Judge

@@ -11,7 +11,7 @@ import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.world.homes.home import Home
-from uniteam.world.simulation.frame import Frame
+from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.simulation.simulator import Simulator, StepEvents
 from uniteam.world.task.episode import Candidate, Episode
 from uniteam.world.task.footprint import VIEW_DISTANCE, distance_to_footprint

@@ -1,0 +1,82 @@
+"""Agents by name for the runner: those of the mind, and the oracle, which lives with the task."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from uniteam.errors import UnknownNameError
+from uniteam.interface import Agent
+from uniteam.mind.agents.registry import AGENT_NAMES, describe_agent, make_agent, needs_truth
+from uniteam.world.oracle.oracle import Oracle
+from uniteam.world.task.environment import Environment
+
+ORACLE = "oracle"
+
+
+@dataclass(frozen=True)
+class AgentSpec:
+    """Which agent to make.
+
+    Attributes:
+        name: "oracle" or one of `AGENT_NAMES`.
+        perception: the kind of perception it sees with.
+        added: names of improvements it has besides its own.
+        removed: names of improvements it does without.
+    """
+
+    name: str
+    perception: str
+    added: tuple[str, ...] = ()
+    removed: tuple[str, ...] = ()
+
+    def make(self, environment: Environment) -> Agent:
+        """Build the agent; only the oracle is shown the environment itself.
+
+        Raises:
+            UnknownNameError: an unknown agent, perception or improvement.
+        """
+        if self.name == ORACLE:
+            return Oracle(environment)
+        return make_agent(self.name, self.perception, self.added, self.removed)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the resolved configuration as plain JSON data; raises UnknownNameError as `make` does."""
+        if self.name == ORACLE:
+            return {"agent": ORACLE}
+        if self.name not in AGENT_NAMES:
+            raise UnknownNameError("agent", self.name, (*AGENT_NAMES, ORACLE))
+        return describe_agent(self.name, self.perception, self.added, self.removed)
+
+    @property
+    def needs_truth(self) -> bool:
+        """Whether its observations must carry the simulator's own segmentation."""
+        return needs_truth(self.perception)
+
+
+def label_agents(
+    names: Iterable[str], perception: str, added: tuple[str, ...] = (), removed: tuple[str, ...] = ()
+) -> dict[str, AgentSpec]:
+    """Return the agents under the labels of the table: the name, and what was changed where that changes anything.
+
+    Raises:
+        UnknownNameError: an unknown agent, perception or improvement.
+    """
+    labelled = {}
+    for name in names:
+        plain = AgentSpec(name, perception)
+        effective = AgentSpec(
+            name,
+            perception,
+            tuple(a for a in added if replace(plain, added=(a,)).describe() != plain.describe()),
+            tuple(r for r in removed if replace(plain, removed=(r,)).describe() != plain.describe()),
+        )
+        labelled[_label(effective)] = effective
+    return labelled
+
+
+def _label(spec: AgentSpec) -> str:
+    """Return "uniteam", or "baseline with edge_margin" or "uniteam without edge_margin"."""
+    parts = [spec.name]
+    parts += ["with " + ", ".join(sorted(spec.added))] if spec.added else []
+    parts += ["without " + ", ".join(sorted(spec.removed))] if spec.removed else []
+    return " ".join(parts)

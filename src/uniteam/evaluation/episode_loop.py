@@ -1,0 +1,104 @@
+"""Play one episode: the loop that joins an environment of the world with an agent of the mind."""
+
+import resource
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from time import perf_counter
+from traceback import format_exception
+from typing import Protocol
+
+from uniteam.evaluation.results.failure_cause import explain_failure
+from uniteam.evaluation.results.result import EpisodeResult
+from uniteam.interface import Action, Agent, Decision, Observation
+from uniteam.world.task.episode import Episode
+from uniteam.world.task.measures import Measures
+
+CRASHED_STATE = "CRASHED"
+
+
+class PlayableEnvironment(Protocol):
+    """What the loop needs of an environment (`uniteam.world.task.environment.Environment` has it)."""
+
+    episode: Episode
+
+    @property
+    def measures(self) -> Measures:
+        """The measures so far."""
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the agent stopped or the steps are used up."""
+
+    def reset(self) -> Observation:
+        """Begin the episode."""
+
+    def step(self, action: Action) -> Observation:
+        """Take one step."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """One turn of the loop: what the agent saw, what it decided upon that, and the measures once that was done."""
+
+    observation: Observation
+    decision: Decision
+    measures: Measures
+
+
+Observer = Callable[[Step], None]
+"""Called once a step, after the decision's action was taken."""
+
+
+def play_episode(environment: PlayableEnvironment, agent: Agent, observer: Observer | None = None) -> EpisodeResult:
+    """Play the environment's episode to its end; both are reset first, and exceptions of either pass through."""
+    began = perf_counter()
+    episode = environment.episode
+    state, reason = "START", "no step was taken"
+    agent.reset(episode.instruction, episode.seed)
+    observation = environment.reset()
+    while not environment.is_over:
+        decision = agent.act(observation)
+        seen, observation = observation, environment.step(decision.action)
+        state, reason = decision.state, decision.reason
+        if observer is not None:
+            observer(Step(seen, decision, environment.measures))
+    return EpisodeResult(
+        episode=episode.id,
+        home=episode.home,
+        instruction=str(episode.instruction),
+        unseen=episode.unseen,
+        measures=environment.measures,
+        state=state,
+        failure=explain_failure(environment.measures, state, reason),
+        seconds=perf_counter() - began,
+        peak_memory=peak_memory(),
+    )
+
+
+def crashed_result(episode: Episode, failure: str, traceback: str, steps: int = 0) -> EpisodeResult:
+    """Return the result of an episode that crashed: failed in every phase, with the traceback kept."""
+    return EpisodeResult(
+        episode=episode.id,
+        home=episode.home,
+        instruction=str(episode.instruction),
+        unseen=episode.unseen,
+        measures=Measures(num_steps=steps),
+        state=CRASHED_STATE,
+        failure=failure,
+        seconds=0.0,
+        peak_memory=peak_memory(),
+        traceback=traceback,
+    )
+
+
+def result_of_exception(episode: Episode, error: BaseException, steps: int) -> EpisodeResult:
+    """Return the result of an episode that ended in an exception after `steps` steps."""
+    failure = f"crashed after {steps} steps with {type(error).__name__}: {error}"
+    return crashed_result(episode, failure, "".join(format_exception(error)), steps)
+
+
+def peak_memory() -> float:
+    """Return the largest resident memory of this process so far (MB)."""
+    unit = 1 if sys.platform == "darwin" else 1024  # macOS counts bytes, Linux kilobytes
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit / 1e6

@@ -1,0 +1,50 @@
+"""What an agent's episodes come to: each of the challenge's measures with its 95 % interval."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from uniteam.evaluation.results.intervals import Estimate, estimate_mean, estimate_proportion
+from uniteam.evaluation.results.result import EpisodeResult, measures_to_data
+
+PROPORTIONS = (
+    "find_object_phase_success",
+    "pick_object_phase_success",
+    "find_recep_phase_success",
+    "place_success",
+    "overall_success",
+    "does_want_terminate",
+)
+"""Measures that are true or false: Wilson's interval."""
+
+MEANS = {"partial_success": (0.0, 1.0), "robot_scene_colls": (0.0, 1250.0), "num_steps": (0.0, 1250.0)}
+"""Measures that are numbers, with the bounds that they cannot leave: Student's interval."""
+
+
+@dataclass(frozen=True)
+class Summary:
+    """One agent's figures.
+
+    Attributes:
+        episode_count: how many episodes they are from, crashed ones included.
+        crash_count: how many of them crashed.
+        estimates: by the challenge's name of a measure.
+    """
+
+    episode_count: int
+    crash_count: int
+    estimates: Mapping[str, Estimate]
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the summary as plain JSON data."""
+        estimates = {name: asdict(estimate) for name, estimate in self.estimates.items()}
+        return {"episode_count": self.episode_count, "crash_count": self.crash_count, **estimates}
+
+
+def summarize(results: Sequence[EpisodeResult]) -> Summary:
+    """Return the figures of one agent's results; at least one."""
+    rows = [measures_to_data(result.measures) for result in results]
+    estimates = {name: estimate_proportion(sum(bool(row[name]) for row in rows), len(rows)) for name in PROPORTIONS}
+    for name, bounds in MEANS.items():
+        estimates[name] = estimate_mean([float(row[name]) for row in rows], bounds)
+    return Summary(len(rows), sum(result.crashed for result in results), estimates)

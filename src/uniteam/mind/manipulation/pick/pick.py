@@ -1,0 +1,99 @@
+"""Picking: stand beside the object, look along the arm, and let the gripper snap at it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+
+from uniteam.interface import DiscreteAction
+from uniteam.mind.manipulation.arm_clearance import Load
+from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.mind.skills.skill import Skill, discrete, move_joints
+from uniteam.mind.skills.view import Points, View
+from uniteam.stretch import gripper_to_base
+
+Search = Callable[[View], Skill[View]]
+"""What is done between standing in manipulation mode and snapping; answers with the last view."""
+GraspCheck = Callable[[View], bool]
+"""Whether the view after the snap says that it was a success."""
+
+
+@dataclass(frozen=True)
+class PickConfig:
+    """The strategies of picking; the defaults are those of HomeRobot's heuristic baseline (arXiv 2306.11565).
+
+    Attributes:
+        bring_into_view: what is done before the snap.
+        is_grasped: how the snap is judged.
+    """
+
+    bring_into_view: Search
+    is_grasped: GraspCheck
+
+
+@dataclass(frozen=True)
+class PickResult:
+    """How a pick ended.
+
+    Attributes:
+        grasped: whether it counts as a success.
+        load: what the gripper holds, by what was seen of it before the snap.
+    """
+
+    grasped: bool
+    load: Load
+
+
+def pick(view: View, config: PickConfig) -> Skill[PickResult]:
+    """Snap at the object beside which the robot stands and faces; ends in navigation mode."""
+    name = view.instruction.object_category.replace("_", " ")
+    seen_before = load_seen(view)
+    view = yield discrete(DiscreteAction.MANIPULATION_MODE, f"I stand at the {name} and point the arm at it.")
+    view = yield from config.bring_into_view(view)
+    load = seen_before.enclosing(load_seen(view))
+    view = yield discrete(DiscreteAction.SNAP_OBJECT, f"I snap at the {name}.")
+    grasped = config.is_grasped(view)
+    view = yield from move_joints(view, replace(view.observation.joints, arm=0.0), "I retract the arm.")
+    outcome = f"The {name} is in the gripper, I believe" if grasped else f"The gripper is empty, so I missed the {name}"
+    yield discrete(DiscreteAction.NAVIGATION_MODE, f"{outcome}; back to driving.")
+    return PickResult(grasped, load)
+
+
+def snap_once(view: View) -> Skill[View]:
+    """Do nothing before the snap."""
+    yield from ()
+    return view
+
+
+def trust_the_snap(view: View) -> bool:
+    """Take every snap for a success."""
+    return True
+
+
+def feel_the_gripper(view: View) -> bool:
+    """Believe what the gripper feels."""
+    return view.observation.is_holding
+
+
+def object_points(view: View) -> Points:
+    """Return the points (m, base frame) of the object that is nearest to the gripper, the one it would grasp."""
+    return view.nearest(ClassRole.OBJECT, gripper_to_base(view.observation.joints)[:3, 3])
+
+
+def load_seen(view: View) -> Load:
+    """Return the room the object will take in the gripper, by its points in view; that of a cup where it is not seen.
+
+    The gripper takes a thing by its top and turns it so that its long side lies along the base.
+    """
+    points = object_points(view)
+    if len(points) == 0:
+        return object_of_unknown_size()
+    _, sides, _ = cv2.minAreaRect(np.ascontiguousarray(points[:, :2], dtype=np.float32))
+    low, high = np.percentile(points[:, 2], (1, 99))
+    return Load(max(sides) / 2, min(sides) / 2, float(high - low))
+
+
+def object_of_unknown_size() -> Load:
+    """Return the room that a cup takes, for what was not seen."""
+    return Load(along_base=0.06, along_arm=0.06, below=0.12)

@@ -1,0 +1,26 @@
+"""Which points lie on something level: tops, seats, boards and the bottoms of hollows, but no walls and no fronts."""
+
+import numpy as np
+
+from uniteam.mind.skills.view import Points
+
+CELL = 0.025
+"""m; side of the columns in which points are gathered."""
+RISE = 0.02
+"""m; height of the voxels of a column."""
+_HEADROOM = range(2, 8)
+"""Voxels above a point that must be empty: on a wall, a front or a cushion's flank they are not."""
+_LEVELS = 1 << 9
+_COLUMNS = 1 << 20
+
+
+def level_points(points: Points) -> Points:
+    """Return one of (N, 3) points (m, z up) in each voxel above which they leave room."""
+    column = np.floor(points[:, :2] / CELL).astype(np.int64)
+    level = np.floor(points[:, 2] / RISE).astype(np.int64) + _LEVELS // 4
+    keys = (column[:, 0] % _COLUMNS * _COLUMNS + column[:, 1] % _COLUMNS) * _LEVELS + level
+    voxels, first = np.unique(keys, return_index=True)
+    is_level = np.ones(len(voxels), dtype=bool)
+    for above in _HEADROOM:
+        is_level &= ~np.isin(voxels + above, voxels, assume_unique=True)
+    return points[first[is_level]]

@@ -1,0 +1,59 @@
+"""What was seen around the robot while it closed in: the points of several views, together."""
+
+import numpy as np
+
+from uniteam.geometry import BasePose, invert_transform, transform_points
+from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.mind.skills.view import Points, View
+
+_RADIUS = 2.0
+"""m around the base; what is farther is of no concern to the arm."""
+_GRAIN = 0.02
+"""m; of points closer together than this, one is kept."""
+_OWN_RADIUS = 0.32
+"""m around the base's axis; what is seen there is the robot itself."""
+
+
+class Nearby:
+    """The goal receptacle and everything else near the robot, in the start frame, over all views that were added."""
+
+    def __init__(self) -> None:
+        """Begin with nothing seen."""
+        self._goal = np.zeros((0, 3))
+        self._surroundings = np.zeros((0, 3))
+
+    def add(self, view: View) -> None:
+        """Add what a view shows; the arm must be retracted in it, or it is taken for furniture."""
+        pose = view.observation.base_to_start
+        self._goal = _merge(self._goal, _to_start(_around(view.points(ClassRole.GOAL_RECEPTACLE)), pose))
+        self._surroundings = _merge(self._surroundings, _to_start(_around(view.surroundings()), pose))
+
+    def goal_points(self, pose: BasePose) -> Points:
+        """Return the (N, 3) points seen of goal receptacles, in the frame of a base that stands at `pose` (m)."""
+        return _to_base(self._goal, pose)
+
+    def surroundings(self, pose: BasePose) -> Points:
+        """Return the (N, 3) points seen of anything, in the frame of a base that stands at `pose` (m)."""
+        return _to_base(self._surroundings, pose)
+
+
+def _around(points: Points) -> Points:
+    distance = np.hypot(points[:, 0], points[:, 1])
+    return points[(distance < _RADIUS) & (distance > _OWN_RADIUS)]
+
+
+def _to_start(points: Points, pose: BasePose) -> np.ndarray:
+    return transform_points(pose.matrix(), points)
+
+
+def _to_base(points: np.ndarray, pose: BasePose) -> Points:
+    return transform_points(invert_transform(pose.matrix()), points).astype(np.float32)
+
+
+def _merge(known: np.ndarray, new: np.ndarray) -> np.ndarray:
+    """Return all points, one of each grain; the known ones stay."""
+    points = np.concatenate([known, new])
+    grains = np.floor(points / _GRAIN).astype(np.int64)
+    keys = (grains[:, 0] << 42) + ((grains[:, 1] & 0x1FFFFF) << 21) + (grains[:, 2] & 0x1FFFFF)
+    _, first = np.unique(keys, return_index=True)
+    return points[np.sort(first)]

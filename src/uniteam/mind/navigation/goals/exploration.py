@@ -1,0 +1,88 @@
+"""What to head for: goals chosen from the map, one small function each, tried in order.
+
+A `ChooseGoal` looks at the map and returns a goal or None. An agent's search is a tuple of them: the baseline's are
+`FIND_OBJECT` and `FIND_RECEPTACLE`; UniTeam puts its own in their places.
+"""
+
+from collections.abc import Callable, Sequence
+
+from uniteam.geometry import BasePose
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
+from uniteam.mind.mapping.class_role import ClassRole
+from uniteam.mind.navigation.goal import Goal, GoalKind
+from uniteam.mind.navigation.goals.frontier import FrontierConfig, find_frontiers
+from uniteam.mind.navigation.planning.planner import Plan, Planner
+
+ChooseGoal = Callable[[BirdsEyeMap, BasePose], Goal | None]
+"""From the map and the robot (start frame) to a goal, or None when there is nothing of the kind."""
+
+
+def object_on_start_receptacle(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+    """Return the cells of the object that lie on the start receptacle, to stand before and face."""
+    cells = bird_map.object_on_start_receptacle()
+    return Goal(GoalKind.OBJECT, cells, face=cells) if cells.any() else None
+
+
+def start_receptacle_not_been_close(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+    """Return the start receptacles' cells that the robot has not been within 1 m of: HomeRobot's exploration."""
+    cells = bird_map.class_cells(ClassRole.START_RECEPTACLE) & ~bird_map.been_close
+    return Goal(GoalKind.START_RECEPTACLE, cells) if cells.any() else None
+
+
+def goal_receptacle(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+    """Return all cells of the goal receptacle, to stand before the nearest and face it."""
+    cells = bird_map.class_cells(ClassRole.GOAL_RECEPTACLE)
+    return Goal(GoalKind.GOAL_RECEPTACLE, cells, face=cells) if cells.any() else None
+
+
+def frontier(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+    """Return all frontiers; the planner goes to the nearest."""
+    cells = find_frontiers(bird_map, base, FrontierConfig())
+    return Goal(GoalKind.FRONTIER, cells, distance=0.0) if cells.any() else None
+
+
+FIND_OBJECT: tuple[ChooseGoal, ...] = (object_on_start_receptacle, start_receptacle_not_been_close, frontier)
+"""The baseline's search for the object."""
+
+FIND_RECEPTACLE: tuple[ChooseGoal, ...] = (goal_receptacle, frontier)
+"""The baseline's search for the goal receptacle."""
+
+
+BLOCKED_OFTEN = 3
+"""Forward motions that were blocked one after the other."""
+
+
+def plan_first(
+    planner: Planner, bird_map: BirdsEyeMap, base: BasePose, choices: Sequence[ChooseGoal]
+) -> tuple[Goal, Plan] | None:
+    """Return the first choice's goal to which there is a path, and the plan.
+
+    A goal that is reached counts: its plan's action is None. Where no goal has a path, even after what collisions
+    taught is forgotten, the first one is approached as nearly as possible; None when there is no goal at all, or when
+    the robot has come as near to it as it can.
+    """
+    found = _first_reachable(planner, bird_map, base, choices)
+    if found is not None and not found[1].reachable and bird_map.collision.any():
+        planner.config.collisions.despair(bird_map)
+        found = _first_reachable(planner, bird_map, base, choices)
+    if found is None or found[1].reachable:
+        return found
+    if found[1].action is None or planner.blocked_in_a_row >= BLOCKED_OFTEN:
+        return None
+    return found
+
+
+def _first_reachable(
+    planner: Planner, bird_map: BirdsEyeMap, base: BasePose, choices: Sequence[ChooseGoal]
+) -> tuple[Goal, Plan] | None:
+    """Return the first choice to which there is a path, or else the first one that has a goal."""
+    nearest: Goal | None = None
+    for choose in choices:
+        goal = choose(bird_map, base)
+        if goal is None:
+            continue
+        plan = planner.plan(bird_map, base, goal)
+        if plan.reachable:
+            return goal, plan
+        nearest = nearest or goal
+    return None if nearest is None else (nearest, planner.plan(bird_map, base, nearest))

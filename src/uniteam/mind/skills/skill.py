@@ -1,0 +1,57 @@
+"""A skill: a conversation that gives steps and is answered with what the robot sees after each.
+
+A skill is written as a generator, so that it reads as the sequence of motions it is:
+`view = yield Step(action, reason)`.
+"""
+
+from collections.abc import Generator
+from dataclasses import dataclass, fields
+from typing import TypeVar
+
+from uniteam.interface import Action, BaseDisplacement, DiscreteAction, JointDisplacement, Joints
+from uniteam.mind.skills.view import View
+from uniteam.stretch import clamp_joints
+
+Result = TypeVar("Result")
+
+
+@dataclass(frozen=True)
+class Step:
+    """One action of a skill and one sentence of why."""
+
+    action: Action
+    reason: str
+
+
+Skill = Generator[Step, View, Result]
+
+SMALLEST_TURN = 0.0873
+"""rad; the base ignores a smaller turn (5 degrees)."""
+SMALLEST_DRIVE = 0.1
+"""m; the base ignores a shorter drive."""
+LONGEST_DRIVE = 1.0
+"""m; the base drives no farther in one step."""
+_JOINT_TOLERANCE = 1e-3
+
+
+def turn(heading: float, reason: str) -> Step:
+    """Return the step that turns the base by `heading` (rad, left-positive)."""
+    return Step(BaseDisplacement(heading=heading), reason)
+
+
+def drive(distance: float, reason: str) -> Step:
+    """Return the step that drives the base forward by `distance` (m)."""
+    return Step(BaseDisplacement(x=distance), reason)
+
+
+def discrete(action: DiscreteAction, reason: str) -> Step:
+    """Return the step of a discrete action."""
+    return Step(action, reason)
+
+
+def move_joints(view: View, target: Joints, reason: str) -> Skill[View]:
+    """Move the joints to `target` (clamped to their limits) in one step, or in none where they are there."""
+    delta = clamp_joints(target) - view.observation.joints
+    if all(abs(getattr(delta, f.name)) < _JOINT_TOLERANCE for f in fields(Joints)):
+        return view
+    return (yield Step(JointDisplacement(delta), reason))

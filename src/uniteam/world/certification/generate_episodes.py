@@ -1,0 +1,118 @@
+"""Certified episodes for homes: varied tasks, and a start that is far from the object."""
+
+from collections import Counter
+from collections.abc import Callable, Iterable
+
+import numpy as np
+
+from uniteam.geometry import BasePose
+from uniteam.interface import Instruction
+from uniteam.world.assets.catalogue import Pool
+from uniteam.world.certification.candidate_tasks import Tally, Task, in_order_of_variety, possible_tasks
+from uniteam.world.certification.certify import Certifier
+from uniteam.world.generation.generate import generate_home
+from uniteam.world.generation.objects.settling import resting_on
+from uniteam.world.homes.home import Home
+from uniteam.world.task.episode import Episode, Split
+
+START_DISTANCE = 3.0
+"""The robot starts at least this far (m) from every object that counts."""
+UNSEEN_SHARE = 0.5
+
+MOST_FAILURES = 3
+"""A goal class that failed so often in a home is not tried there again."""
+
+_START_CLEARANCE = 0.36
+_SEED_KEY = 4_711
+
+
+class EpisodeMaker:
+    """Makes the episodes of one home."""
+
+    def __init__(self, home: Home, tally: Tally) -> None:
+        """Take a home with a seed and what the split asks for so far; the tally grows with every episode made."""
+        self._home = home
+        self._tally = tally
+        self._rng = np.random.default_rng([_SEED_KEY, home.seed or 0])
+        self._certifier = Certifier(home)
+        self._tasks = possible_tasks(home, resting_on(home, self._certifier.simulator.physics))
+        self._used: set[Instruction] = set()
+        self._hopeless: set[Task] = set()
+        self._failures: Counter[str] = Counter()
+
+    def episodes(self, count: int) -> tuple[Episode, ...]:
+        """Return up to `count` certified episodes; fewer where the home has no more to offer."""
+        found: list[Episode] = []
+        while len(found) < count:
+            episode = self._next(f"{self._home.name}-{len(found)}")
+            if episode is None:
+                break
+            found.append(episode)
+        return tuple(found)
+
+    def _next(self, identifier: str) -> Episode | None:
+        for task in self._in_order():
+            if not self._is_promising(task):
+                continue
+            episode = self._certify(task, identifier)
+            if episode is not None:
+                self._used.add(task.instruction)
+                self._tally.add(task.instruction, task.unseen)
+                return episode
+            self._hopeless.add(task)
+            self._failures[task.instruction.goal_receptacle] += 1
+        return None
+
+    def _in_order(self) -> Iterable[Task]:
+        """Yield the tasks left: the unseen first while the split has too few of them, else the seen first."""
+        left = tuple(task for task in self._tasks if self._is_promising(task))
+        wants_unseen = self._tally.unseen < UNSEEN_SHARE * (self._tally.total + 1)
+        first = tuple(task for task in left if task.unseen == wants_unseen)
+        second = tuple(task for task in left if task.unseen != wants_unseen)
+        yield from in_order_of_variety(first, self._tally, self._rng)
+        yield from in_order_of_variety(second, self._tally, self._rng)
+
+    def _is_promising(self, task: Task) -> bool:
+        is_new = task.instruction not in self._used and task not in self._hopeless
+        return is_new and self._failures[task.instruction.goal_receptacle] < MOST_FAILURES
+
+    def _certify(self, task: Task, identifier: str) -> Episode | None:
+        start = self._start(task.objects)
+        seed = int(self._rng.integers(2**31))
+        return None if start is None else self._certifier.certify(task, identifier, start, seed)
+
+    def _start(self, objects: Iterable[str]) -> BasePose | None:
+        """Return a random pose on the connected floor, far from the objects, rounded to a centimetre."""
+        floor = self._certifier.simulator.floor
+        cells = np.argwhere(floor.largest_component & (floor.cells >= _START_CLEARANCE))
+        for row, column in self._rng.permutation(cells)[:200]:
+            x, y = (round(v, 2) for v in floor.to_point(row, column))
+            positions = [self._home.by_name[name].position for name in objects]
+            if all(np.hypot(p[0] - x, p[1] - y) >= START_DISTANCE for p in positions):
+                return BasePose(x, y, round(float(self._rng.uniform(-np.pi, np.pi)), 3))
+        return None
+
+
+def generate_split(
+    name: str, seeds: Iterable[int], per_home: int, pool: Pool, on_home: Callable[[Home, int], None]
+) -> Split:
+    """Return a split of up to `per_home` certified episodes in each home of the seeds.
+
+    Args:
+        name: of the split.
+        seeds: of the homes.
+        per_home: episodes wanted in each.
+        pool: of the homes' models.
+        on_home: called with every home that is done and the number of its episodes.
+    """
+    tally = Tally()
+    homes: dict[str, Home] = {}
+    episodes: list[Episode] = []
+    for seed in seeds:
+        home = generate_home(seed, pool)
+        made = EpisodeMaker(home, tally).episodes(per_home)
+        on_home(home, len(made))
+        if made:
+            homes[home.name] = home
+            episodes += made
+    return Split(name, tuple(episodes), homes)

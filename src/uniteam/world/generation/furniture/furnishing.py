@@ -1,0 +1,198 @@
+"""Furnish a planned home: apply each room's rules on its floor, keeping its doors and its things within reach."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+import numpy as np
+from numpy.random import Generator
+
+from uniteam.world.assets.catalogue import Catalogue, Model, Pool
+from uniteam.world.generation.furniture.doors import Entrance, draw_entrance, fitting_leaves, open_leaves
+from uniteam.world.generation.furniture.kinds import models_of_kind
+from uniteam.world.generation.furniture.placement import Placement, Site
+from uniteam.world.generation.furniture.room_floor import RoomFloor, Volume, standing_strip
+from uniteam.world.generation.furniture.rules import RULES, Rule
+from uniteam.world.generation.plan.floor_plan import FloorPlan, PlannedRoom
+from uniteam.world.generation.plan.openings import WALL_THICKNESS, PlannedWall
+from uniteam.world.generation.plan.rect import Rect
+
+_DOOR_DEPTH = 70
+_TRIES = 12
+_OPEN_SIDED = {"bed", "table", "chair", "stool", "bench", "hamper", "trunk", "bathtub", "serving_cart", "stand"}
+"""Classes that can be used from any side; the others only from their front."""
+
+_USED_FROM_FRONT = {"refrigerator", "oven", "dishwasher", "shower", "fireplace", "piano", "radiator"}
+"""Decor that must not be walled in."""
+
+
+@dataclass(frozen=True)
+class FurnishedRoom:
+    """A room and what stands in it, in the order it was placed."""
+
+    room: PlannedRoom
+    placements: tuple[Placement, ...]
+
+
+@dataclass(frozen=True)
+class FurnitureShop:
+    """Where models come from: the catalogue, one pool of it."""
+
+    catalogue: Catalogue
+    pool: Pool
+
+    @property
+    def doors(self) -> tuple[Model, ...]:
+        """The leaves of doors, sorted by id."""
+        return self.catalogue.of_category("door", self.pool) or self.catalogue.of_category("door")
+
+    def choose(self, kind: str, rng: Generator) -> Model | None:
+        """Return a model of a kind, or None where the catalogue has none."""
+        models = models_of_kind(self.catalogue, kind, self.pool)
+        return models[int(rng.integers(len(models)))] if models else None
+
+
+def furnish(
+    plan: FloorPlan, walls: Sequence[PlannedWall], shop: FurnitureShop, ceiling: int, rng: Generator
+) -> tuple[FurnishedRoom, ...]:
+    """Return every room with its furniture, after the leaves of the doors have found their places.
+
+    Args:
+        plan, walls: what to furnish.
+        shop: where the models come from.
+        ceiling: its height (cm).
+        rng: for every choice.
+    """
+    entrance = draw_entrance(plan, walls, shop.doors[int(rng.integers(len(shop.doors)))], rng) if shop.doors else None
+    floors = [bare_floor(index, room, walls, entrance) for index, room in enumerate(plan)]
+    leaves = _hang_doors(plan, walls, floors, shop, rng)
+    if entrance is not None:
+        leaves[entrance.room].append(entrance.leaf)
+    return tuple(
+        FurnishedRoom(room, (*leaves[index], *_Furnisher(room, floors[index], shop, ceiling, rng).furnish()))
+        for index, room in enumerate(plan)
+    )
+
+
+def _hang_doors(
+    plan: FloorPlan, walls: Sequence[PlannedWall], floors: Sequence[RoomFloor], shop: FurnitureShop, rng: Generator
+) -> list[list[Placement]]:
+    """Return the open leaves in each room; a door whose leaf would be in the way has none."""
+    leaves: list[list[Placement]] = [[] for _ in plan]
+    style = rng.permutation(1000)
+    for wall in walls:
+        for opening in wall.openings:
+            models = fitting_leaves(shop.doors, opening) if opening.kind == "door" else []
+            if models:
+                model = models[int(style[len(models)]) % len(models)]
+                ways = open_leaves(plan, wall, opening, model, rng)
+                found = next(((room, leaf) for room, leaf in ways if _has_space(floors[room], leaf)), None)
+                if found is not None:
+                    room, leaf = found
+                    floors[room].take(leaf.volume, ())
+                    leaves[room].append(leaf)
+    return leaves
+
+
+def _has_space(floor: RoomFloor, leaf: Placement) -> bool:
+    row = np.array([leaf.volume.as_row()], dtype=np.int64)
+    return bool(floor.unobstructed(row)[0]) and floor.stays_passable(leaf.volume, ())
+
+
+def bare_floor(
+    index: int, room: PlannedRoom, walls: Sequence[PlannedWall], entrance: Entrance | None = None
+) -> RoomFloor:
+    """Return the floor of a room, with the strips before its doors and its windows kept free."""
+    inner = room.rect.grown(-WALL_THICKNESS // 2)
+    doors, windows = [], []
+    for wall in walls:
+        for opening in wall.openings if index in wall.rooms else ():
+            if opening.kind == "window":
+                windows.append(Volume(wall.stretch(opening, 25), opening.bottom, opening.top))
+            else:
+                doors.append(_clipped(wall.stretch(opening, _DOOR_DEPTH), inner))
+    if entrance is not None and entrance.room == index:
+        doors.append(_clipped(entrance.free, inner))
+    return RoomFloor(inner, doors, windows)
+
+
+def _clipped(rect: Rect, inner: Rect) -> Rect:
+    return Rect(max(rect.x0, inner.x0), max(rect.y0, inner.y0), min(rect.x1, inner.x1), min(rect.y1, inner.y1))
+
+
+class _Furnisher:
+    """Furnishes one room."""
+
+    def __init__(self, room: PlannedRoom, floor: RoomFloor, shop: FurnitureShop, ceiling: int, rng: Generator) -> None:
+        self._room, self._floor, self._shop, self._ceiling, self._rng = room, floor, shop, ceiling, rng
+        self._standing: list[tuple[str, Placement]] = []
+
+    def furnish(self) -> Iterator[Placement]:
+        """Apply the room's rules in order and yield what stands at the end."""
+        for rule in RULES[self._room.kind]:
+            if self._rng.random() < rule.chance and self._room.rect.area >= rule.min_area:
+                self._apply(rule)
+        return (placement for _, placement in self._standing)
+
+    def _apply(self, rule: Rule) -> None:
+        if rule.only_if_none and any(kind in rule.kinds for kind, _ in self._standing):
+            return
+        wanted = int(self._rng.integers(rule.count[0], rule.count[1] + 1))
+        for kind in rule.kinds:
+            placed = 0
+            model = self._shop.choose(kind, self._rng)
+            for _ in range(wanted):
+                if model is not None and self._place(rule, kind, model):
+                    placed += 1
+                if not rule.one_model:
+                    model = self._shop.choose(kind, self._rng)
+            if placed:
+                return
+
+    def _place(self, rule: Rule, kind: str, model: Model) -> bool:
+        for anchor in self._anchors(rule):
+            site = Site(self._floor.inner, self._ceiling, self._floor.windows, anchor, self._rng)
+            placement = self._first_fitting(list(rule.place(site, model)), rule)
+            if placement is not None:
+                if not _is_flat(model):
+                    self._floor.take(placement.volume, _sides(placement))
+                self._standing.append((kind, placement))
+                return True
+        return False
+
+    def _anchors(self, rule: Rule) -> list[Placement | None]:
+        if not rule.anchors:
+            return [None]
+        return [placement for kind, placement in self._standing if kind in rule.anchors]
+
+    def _first_fitting(self, placements: list[Placement], rule: Rule) -> Placement | None:
+        placements = [p for p in placements if p.volume.top <= self._ceiling]
+        if not placements:
+            return None
+        if _is_flat(placements[0].model):
+            return next((p for p in placements if self._floor.inner.contains(p.rect)), None)
+        rows = np.array([p.volume.as_row() for p in placements], dtype=np.int64)
+        fits = self._floor.unobstructed(rows, rule.elbow_room)
+        if not rule.covers_window:
+            fits &= self._floor.lets_light_in(rows)
+        passable = (
+            placements[i]
+            for i in islice(np.flatnonzero(fits).tolist(), _TRIES)
+            if self._floor.stays_passable(placements[i].volume, _sides(placements[i]))
+        )
+        return next(passable, None)
+
+
+def _is_flat(model: Model) -> bool:
+    """Say whether a model is a rug or a mat, which other furniture may stand on."""
+    return not model.shapes and model.size[2] < 0.04
+
+
+def _sides(placement: Placement) -> tuple[Rect, ...]:
+    """Return where the robot may stand to get at a piece; nothing for what only decorates."""
+    category = placement.model.category
+    if placement.model.role != "receptacle" and category not in _USED_FROM_FRONT:
+        return ()
+    if category not in _OPEN_SIDED:
+        return (standing_strip(placement.rect, placement.front),)
+    return tuple(standing_strip(placement.rect, step) for step in ((1, 0), (-1, 0), (0, 1), (0, -1)))

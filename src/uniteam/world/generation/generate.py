@@ -1,0 +1,119 @@
+"""A furnished home from a seed: plan, walls, furniture, objects; drawn again until everything that must hold holds."""
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import count
+
+import numpy as np
+from numpy.random import Generator
+
+from uniteam.errors import InvalidInputError, UnknownNameError
+from uniteam.geometry import yaw_quaternion
+from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Catalogue, Pool, load_catalogue
+from uniteam.world.generation.furniture.furnishing import FurnishedRoom, FurnitureShop, furnish
+from uniteam.world.generation.furniture.placement import Placement
+from uniteam.world.generation.objects.scatter import MIN_OBJECT_COUNT, scatter
+from uniteam.world.generation.objects.settling import settle
+from uniteam.world.generation.objects.stock import ObjectStock
+from uniteam.world.generation.plan.floor_plan import draw_floor_plan
+from uniteam.world.generation.plan.openings import draw_walls
+from uniteam.world.generation.plan.stage import build_stage
+from uniteam.world.homes.home import Home, Instance, Room
+from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
+
+_POOLS: tuple[Pool, ...] = ("train", "test")
+_CEILINGS = (250, 260, 270)
+_FEWEST_FURNITURE = 18
+_FEWEST_RECEPTACLE_CLASSES = 8
+_SCATTERINGS = 4
+"""How often objects are scattered in a layout before another one is drawn."""
+_ROOM_TO_STAND = 0.25
+"""The robot's centre reaches at least so much of every room (m2)."""
+
+
+def generate_home(seed: int, pool: Pool = "test") -> Home:
+    """Return the furnished home of a seed.
+
+    Everything but the objects is the same on every machine; where they come to rest is the same on one machine.
+
+    Args:
+        seed: not negative.
+        pool: "train" homes hold training models only and no unseen category; "test" homes hold the other models.
+
+    Raises:
+        InvalidInputError: the seed is negative.
+        UnknownNameError: there is no such pool.
+    """
+    if seed < 0:
+        raise InvalidInputError(f"a home's seed must not be negative, got {seed}")
+    if pool not in _POOLS:
+        raise UnknownNameError("pool", pool, _POOLS)
+    catalogue = load_catalogue()
+    for attempt in count():
+        seeds = [seed, _POOLS.index(pool), attempt]
+        home = _draw_layout(f"{pool}-{seed}", seed, FurnitureShop(catalogue, pool), np.random.default_rng(seeds))
+        if home is None or not _is_roomy(home, catalogue):
+            continue
+        for scattering in range(_SCATTERINGS):
+            rng = np.random.default_rng([*seeds, scattering])
+            cluttered = settle(_with_objects(home, ObjectStock(catalogue, pool, rng), rng), catalogue)
+            if sum(instance.movable for instance in cluttered.instances) >= MIN_OBJECT_COUNT:
+                return cluttered
+    raise AssertionError("unreachable")
+
+
+def _draw_layout(name: str, seed: int, shop: FurnitureShop, rng: Generator) -> Home | None:
+    """Return a furnished home without objects, or None where the draw is a poor one."""
+    plan = draw_floor_plan(rng)
+    walls = draw_walls(plan, rng)
+    if walls is None:
+        return None
+    ceiling = int(rng.choice(_CEILINGS))
+    rooms = furnish(plan, walls, shop, ceiling, rng)
+    furniture = [_instance(placement, room) for room in rooms for placement in room.placements]
+    if not _is_furnished(furniture):
+        return None
+    return Home(name, build_stage(plan, walls, ceiling, rng), _numbered(furniture), seed)
+
+
+def _with_objects(home: Home, stock: ObjectStock, rng: Generator) -> Home:
+    """Return the home with objects a hair above where they will lie."""
+    room_kinds = {room.name: room.kind for room in home.stage.rooms}
+    objects = scatter(home.instances, room_kinds, stock, rng)
+    return replace(home, instances=_numbered([*home.instances, *objects]))
+
+
+def _instance(placement: Placement, room: FurnishedRoom) -> Instance:
+    degrees = 90 * placement.quarters + placement.degrees
+    w, x, y, z = (round(v, 9) for v in yaw_quaternion(np.radians(degrees)))
+    position = (placement.x / 100, placement.y / 100, round(placement.z / 100, 4))
+    return Instance("", placement.model.id, placement.model.category, False, position, (w, x, y, z), room.room.name)
+
+
+def _numbered(instances: Iterable[Instance]) -> tuple[Instance, ...]:
+    """Return the instances with names that count within their category."""
+    numbers: Counter[str] = Counter()
+    named = []
+    for instance in instances:
+        numbers[instance.category] += 1
+        named.append(replace(instance, name=f"{instance.category}_{numbers[instance.category]}"))
+    return tuple(named)
+
+
+def _is_furnished(furniture: Iterable[Instance]) -> bool:
+    categories = [instance.category for instance in furniture]
+    classes = set(categories) & set(RECEPTACLE_CATEGORIES)
+    return len(categories) >= _FEWEST_FURNITURE and len(classes) >= _FEWEST_RECEPTACLE_CLASSES
+
+
+def _is_roomy(home: Home, catalogue: Catalogue) -> bool:
+    """Say whether the robot gets to a good spot of every room from every other."""
+    floor = NavigableFloor(home, catalogue)
+    return all(_reached_area(floor, room) >= _ROOM_TO_STAND for room in home.stage.rooms)
+
+
+def _reached_area(floor: NavigableFloor, room: Room) -> float:
+    """Return how much of a room (m2) the robot's centre reaches."""
+    low, high = floor.to_cell(*room.low), floor.to_cell(*room.high)
+    return float(floor.largest_component[low[0] : high[0], low[1] : high[1]].sum()) * CELL_SIZE**2

@@ -1,0 +1,69 @@
+"""Let the objects of a drawn home come to rest, keep those that lie on a receptacle, and say which one it is."""
+
+from collections import Counter
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+
+from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Catalogue
+from uniteam.world.homes.home import Home, Instance
+from uniteam.world.physics.physics import Physics
+
+_SECONDS = 2.0
+_MAX_SLIDE = 0.25
+"""An object that ends farther than this from where it was put has fallen off something (m)."""
+
+
+def resting_on(home: Home, physics: Physics | None = None) -> dict[str, str]:
+    """Return the receptacle that holds each object: the one it touches at most points.
+
+    Args:
+        home: with its objects at rest.
+        physics: of this home, where there is one already.
+    """
+    physics = Physics(home) if physics is None else physics
+    holders = {name: _holder(home, physics, name) for name in physics.names}
+    return {name: holder for name, holder in holders.items() if holder is not None}
+
+
+def _holder(home: Home, physics: Physics, name: str) -> str | None:
+    touched = Counter(
+        contact.other
+        for contact in physics.contacts(name)
+        if contact.other in home.by_name and home.by_name[contact.other].category in RECEPTACLE_CATEGORIES
+    )
+    return min(touched, key=lambda other: (-touched[other], other)) if touched else None
+
+
+def settle(home: Home, catalogue: Catalogue) -> Home:
+    """Return the home with its objects as they come to rest; those that fell, roll or hang on nothing are gone."""
+    physics = Physics(home, catalogue)
+    kept = set(physics.names)
+    for _ in range(3):
+        physics.settle(sorted(kept), _SECONDS)
+        lost = {name for name in kept if not _is_well_placed(home, physics, name)}
+        for name in sorted(lost):
+            physics.remove(name)
+        kept -= lost
+        if not lost:
+            break
+    things = [i for i in home.instances if not i.movable or i.name in kept]
+    return replace(home, instances=tuple(_settled(i, physics) if i.movable else i for i in things))
+
+
+def _is_well_placed(home: Home, physics: Physics, name: str) -> bool:
+    moved = np.linalg.norm(physics.pose(name)[:3, 3] - home.by_name[name].position)
+    if moved > _MAX_SLIDE or not physics.is_at_rest(name) or "floor" in physics.touching(name):
+        return False
+    return _holder(home, physics, name) is not None
+
+
+def _settled(instance: Instance, physics: Physics) -> Instance:
+    pose = physics.pose(instance.name)
+    quaternion = np.zeros(4)
+    mujoco.mju_mat2Quat(quaternion, np.ascontiguousarray(pose[:3, :3]).ravel())
+    quaternion *= -1.0 if quaternion[0] < 0 else 1.0
+    x, y, z = (round(float(v), 5) for v in pose[:3, 3])
+    w, i, j, k = (round(float(v), 6) + 0.0 for v in quaternion)
+    return replace(instance, position=(x, y, z), quaternion=(w, i, j, k))

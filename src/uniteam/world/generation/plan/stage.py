@@ -1,0 +1,72 @@
+"""From a plan in centimetres to a stage in metres: each room with its own floor, wall paint and light."""
+
+from collections.abc import Sequence
+
+from numpy.random import Generator
+
+from uniteam.world.assets.textures import Kind, texture_names
+from uniteam.world.generation.plan.floor_plan import FloorPlan, PlannedRoom
+from uniteam.world.generation.plan.openings import WALL_THICKNESS, PlannedWall
+from uniteam.world.homes.home import Light, Opening, Room, Stage, Wall
+
+_WOODEN = ("planks", "parquet", "wooden")
+_CARPET = ("carpet",)
+_FLOOR_TILES = ("tile", "linoleum", "marble")
+_PAINT = ("paint", "plaster_white")
+_WALLPAPER = ("wallpaper", "plaster", "paint")
+_WALL_TILES = ("tile",)
+_BRICKS = ("bricks",)
+
+_FLOORS: dict[str, tuple[tuple[str, ...], ...]] = {
+    "bathroom": (_FLOOR_TILES,), "laundry": (_FLOOR_TILES,), "kitchen": (_FLOOR_TILES, _FLOOR_TILES, _WOODEN),
+    "hall": (_WOODEN, _FLOOR_TILES), "bedroom": (_WOODEN, _CARPET), "office": (_WOODEN, _CARPET),
+}  # fmt: skip
+"""Words of the textures' names that suit a room, one set of which is drawn; wood suits the others."""
+
+_WALLS: dict[str, tuple[tuple[str, ...], ...]] = {
+    "bathroom": (_WALL_TILES, _WALL_TILES, _PAINT), "kitchen": (_PAINT, _WALL_TILES, _WALLPAPER),
+    "laundry": (_PAINT, _WALL_TILES),
+}  # fmt: skip
+_PLAIN_WALLS = (_PAINT, _PAINT, _PAINT, _PAINT, _PAINT, _WALLPAPER, _WALLPAPER, _WALLPAPER, _BRICKS)
+
+_TINTS = (
+    (1.0, 0.98, 0.94), (0.97, 0.97, 0.97), (0.95, 0.92, 0.84), (0.84, 0.9, 0.93), (0.86, 0.92, 0.84),
+    (0.96, 0.88, 0.82), (0.9, 0.86, 0.92), (0.98, 0.94, 0.78), (0.82, 0.84, 0.86), (0.93, 0.85, 0.78),
+    (0.78, 0.86, 0.85), (0.99, 0.91, 0.89),
+)  # fmt: skip
+_LIGHTS = (
+    (1.08, 0.98, 0.84), (1.05, 1.0, 0.92), (1.0, 1.0, 1.0), (0.94, 0.99, 1.06), (1.15, 1.05, 0.9), (0.9, 0.86, 0.78),
+)  # fmt: skip
+
+
+def build_stage(plan: FloorPlan, walls: Sequence[PlannedWall], ceiling: int, rng: Generator) -> Stage:
+    """Return the stage of a plan; `ceiling` is its height (cm)."""
+    tints = rng.permutation(len(_TINTS))
+    common_floor = _texture("floor", (_WOODEN,), rng)
+    rooms = tuple(_room(room, _TINTS[tints[i]], common_floor, ceiling, rng) for i, room in enumerate(plan))
+    return Stage(rooms, tuple(_wall(wall) for wall in walls), ceiling / 100)
+
+
+def _texture(kind: Kind, choices: Sequence[Sequence[str]], rng: Generator) -> str:
+    """Return a texture whose name holds a word of one of the choices; any, where the pack has none such."""
+    words = choices[int(rng.integers(len(choices)))]
+    names = texture_names(kind)
+    fitting = [name for name in names if any(word in name for word in words)] or names
+    return fitting[int(rng.integers(len(fitting)))]
+
+
+def _room(room: PlannedRoom, tint: tuple[float, float, float], common_floor: str, ceiling: int, rng: Generator) -> Room:
+    own_floor = _texture("floor", _FLOORS.get(room.kind, (_WOODEN,)), rng)
+    floor = common_floor if room.kind not in _FLOORS and rng.random() < 0.6 else own_floor
+    wall = _texture("wall", _WALLS.get(room.kind, _PLAIN_WALLS), rng)
+    low, high = (room.rect.x0 / 100, room.rect.y0 / 100), (room.rect.x1 / 100, room.rect.y1 / 100)
+    position = (round((low[0] + high[0]) / 2, 3), round((low[1] + high[1]) / 2, 3), round(ceiling / 100 - 0.3, 3))
+    light = Light(position, _LIGHTS[int(rng.integers(len(_LIGHTS)))], round(float(rng.uniform(0.35, 0.55)), 3))
+    return Room(room.name, room.kind, low, high, floor, wall, tint, light)
+
+
+def _wall(wall: PlannedWall) -> Wall:
+    across, start, end = wall.across / 100, wall.start / 100, wall.end / 100
+    ends = ((start, across), (end, across)) if wall.horizontal else ((across, start), (across, end))
+    openings = tuple(Opening(o.kind, o.start / 100, o.end / 100, o.bottom / 100, o.top / 100) for o in wall.openings)
+    return Wall(*ends, WALL_THICKNESS / 100, openings)

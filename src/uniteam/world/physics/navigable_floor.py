@@ -1,0 +1,127 @@
+"""Where the robot's base can stand: the clearance to whatever a cylinder of the robot's size would hit."""
+
+import math
+from functools import cached_property
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from uniteam.geometry import BasePose, transform_points
+from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue
+from uniteam.world.homes.home import Home
+from uniteam.world.physics.collision_shapes import home_shapes, shape_vertices, wall_boxes, wall_to_world
+
+CELL_SIZE = 0.02
+"""m."""
+STEP_HEIGHT = 0.03
+"""What is lower than this the wheels roll over (m)."""
+
+_MARGIN = 0.5
+_SWEEP_STEP = 0.01
+_SUBPIXEL_BITS = 8
+
+
+class NavigableFloor:
+    """A home's floor as a grid of clearances, made from the home as it is given: nothing moves in it later.
+
+    Attributes:
+        cells: (R, C) float32, metres from a cell's centre to the nearest obstacle between 3 cm and 1.41 m above the
+            floor, 0 inside one and outside the rooms; row along y, column along x; right to within a cell.
+    """
+
+    def __init__(self, home: Home, catalogue: Catalogue | None = None) -> None:
+        """Rasterise the home; `catalogue` has its models (the pack's, where none is given)."""
+        corners = np.array([(room.low, room.high) for room in home.stage.rooms])
+        self._low = corners[:, 0].min(axis=0) - _MARGIN
+        columns, rows = np.ceil((corners[:, 1].max(axis=0) + _MARGIN - self._low) / CELL_SIZE).astype(int)
+        free = np.zeros((rows, columns), np.uint8)
+        for room in home.stage.rooms:
+            self._fill(
+                free, np.array([room.low, (room.high[0], room.low[1]), room.high, (room.low[0], room.high[1])]), 1
+            )
+        for points in _obstacles(home, load_catalogue() if catalogue is None else catalogue):
+            self._fill(free, points, 0)
+        self.cells = cv2.distanceTransform(free, cv2.DIST_L2, cv2.DIST_MASK_PRECISE) * np.float32(CELL_SIZE)
+
+    def _fill(self, grid: NDArray[np.uint8], points: NDArray[np.float64], value: int) -> None:
+        cells = ((points - self._low) / CELL_SIZE - 0.5) * (1 << _SUBPIXEL_BITS)
+        cv2.fillConvexPoly(grid, cells.round().astype(np.int32), value, shift=_SUBPIXEL_BITS)
+
+    def to_cell(self, x: float, y: float) -> tuple[int, int]:
+        """Return the (row, column) of the cell that holds a point (m, world); it may lie outside the grid."""
+        return math.floor((y - self._low[1]) / CELL_SIZE), math.floor((x - self._low[0]) / CELL_SIZE)
+
+    def to_point(self, row: int, column: int) -> tuple[float, float]:
+        """Return the centre (x, y) of a cell (m, world)."""
+        return float(self._low[0] + (column + 0.5) * CELL_SIZE), float(self._low[1] + (row + 0.5) * CELL_SIZE)
+
+    def clearance(self, x: float, y: float) -> float:
+        """Return the distance (m) from a point (m, world) to the nearest obstacle, interpolated between cells."""
+        return float(self._clearances(np.array([[x, y]]))[0])
+
+    def is_free(self, x: float, y: float) -> bool:
+        """Return whether the base can stand at a point (m, world)."""
+        return self.clearance(x, y) >= BASE_RADIUS
+
+    def sweep(self, base: BasePose, x_to: float, y_to: float) -> bool:
+        """Return whether the base can move straight from where it stands to a point (m, world).
+
+        A base that stands too near something, because that fell there, may move where it gets no nearer.
+        """
+        count = max(1, math.ceil(base.distance_to(x_to, y_to) / _SWEEP_STEP)) + 1
+        line = np.linspace((base.x, base.y), (x_to, y_to), count)
+        clearances = self._clearances(line)
+        return bool(np.all(clearances >= min(BASE_RADIUS, clearances[0])))
+
+    @cached_property
+    def free(self) -> NDArray[np.bool_]:
+        """(R, C) bool: cells on whose centre the base can stand."""
+        return np.asarray(self.cells >= BASE_RADIUS)
+
+    @cached_property
+    def largest_component(self) -> NDArray[np.bool_]:
+        """(R, C) bool: the largest connected set (by sides) of free cells."""
+        count, labels, stats, _ = cv2.connectedComponentsWithStats(self.free.astype(np.uint8), connectivity=4)
+        if count == 1:
+            return np.zeros_like(self.free)
+        return np.asarray(labels == 1 + int(np.argmax(stats[1:, cv2.CC_STAT_AREA])))
+
+    def _clearances(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the clearance at (N, 2) points (m, world), bilinear between the cells' centres."""
+        places = (points - self._low) / CELL_SIZE - 0.5
+        corner = np.clip(np.floor(places).astype(int), 0, np.array(self.cells.shape[::-1]) - 2)
+        fx, fy = np.clip(places - corner, 0.0, 1.0).T
+        column, row = corner.T
+        below = self.cells[row, column] * (1 - fx) + self.cells[row, column + 1] * fx
+        above = self.cells[row + 1, column] * (1 - fx) + self.cells[row + 1, column + 1] * fx
+        return np.asarray(below * (1 - fy) + above * fy)
+
+
+def _obstacles(home: Home, catalogue: Catalogue) -> list[NDArray[np.float64]]:
+    """Return convex (V, 2) outlines (m, world) of what stands between `STEP_HEIGHT` and the robot's height."""
+    walls = [transform_points(wall_to_world(s, a), shape_vertices(box)) for s, a, box in wall_boxes(home.stage)]
+    outlines = (_slab_outline(vertices) for vertices in (*walls, *home_shapes(home, catalogue)))
+    return [outline for outline in outlines if outline is not None]
+
+
+def _slab_outline(vertices: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """Return the outline from above of the part of a convex solid within the robot's height, if there is one."""
+    z = vertices[:, 2]
+    if z.max() <= STEP_HEIGHT or z.min() >= ROBOT_HEIGHT:
+        return None
+    inside = (z >= STEP_HEIGHT) & (z <= ROBOT_HEIGHT)
+    points = [vertices[inside, :2]]
+    for height in (STEP_HEIGHT, ROBOT_HEIGHT):
+        points.append(_slice(vertices[z < height], vertices[z > height], height))
+    hull = cv2.convexHull(np.concatenate(points).astype(np.float32))
+    return np.asarray(hull[:, 0, :], dtype=np.float64)
+
+
+def _slice(below: NDArray[np.float64], above: NDArray[np.float64], height: float) -> NDArray[np.float64]:
+    """Return (N, 2) points whose hull is the cut of a convex solid at a height, from its vertices on either side."""
+    share = (height - below[:, None, 2]) / (above[None, :, 2] - below[:, None, 2])
+    return np.asarray(
+        (below[:, None, :2] + share[..., None] * (above[None, :, :2] - below[:, None, :2])).reshape(-1, 2)
+    )
