@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from small_home import BALL, CATALOGUE, CUP, SINK, SINK_FLOOR, TABLE, TABLE_HEIGHT, instance, small_home
+from worlds.small_home import BALL, CATALOGUE, CUP, SINK, SINK_FLOOR, TABLE, TABLE_HEIGHT, instance, small_home
 
 from uniteam.errors import UnknownNameError
 from uniteam.geometry import pose_matrix, yaw_quaternion

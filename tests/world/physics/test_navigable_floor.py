@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from small_home import BALL, CATALOGUE, SINK, TABLE, instance, small_home
+from worlds.small_home import BALL, CATALOGUE, SINK, TABLE, instance, small_home
 
 from uniteam.geometry import BasePose
 from uniteam.world.assets.catalogue import Box, Catalogue

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from box_world import CAMERA, RADIUS, Box, cast, clearance, segmentation
+from worlds.box_world import CAMERA, RADIUS, Box, cast, clearance, segmentation
 
 from uniteam.geometry import BasePose, PinholeCamera, transform_points
 from uniteam.interface import Action, BaseDisplacement, DiscreteAction, Instruction, JointDisplacement, Observation

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from camera_scenes import BLUE, CAMERA, FORWARD, GREEN, NOWHERE, RED, quad, see, sphere
+from worlds.camera_scenes import BLUE, CAMERA, FORWARD, GREEN, NOWHERE, RED, quad, see, sphere
 
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import PinholeCamera

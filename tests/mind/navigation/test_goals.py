@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from box_world import Box, observe, room
-from driving import INSTRUCTION, Drive, arrived
+from worlds.box_world import Box, observe, room
+from worlds.driving import INSTRUCTION, Drive, arrived
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig, disc_mask

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from box_world import Box, observe
+from worlds.box_world import Box, observe
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import BasePose

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from camera_scenes import CAMERA, quad, see, sphere
+from worlds.camera_scenes import CAMERA, quad, see, sphere
 
 from uniteam.geometry import PinholeCamera
 from uniteam.world.assets.mesh import Material

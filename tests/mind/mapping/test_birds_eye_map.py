@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from box_world import CAMERA, Box, observe, room
+from worlds.box_world import CAMERA, Box, observe, room
 
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Detection, Instruction, Observation, Segmentation

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from camera_scenes import CAMERA, FORWARD, NOWHERE, RED, looking, quad, two_rooms
+from worlds.camera_scenes import CAMERA, FORWARD, NOWHERE, RED, looking, quad, two_rooms
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import PinholeCamera, invert_transform, pose_matrix, transform_points, yaw_quaternion

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from box_world import Box, move, observe
+from worlds.box_world import Box, move, observe
 
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import DiscreteAction, Instruction

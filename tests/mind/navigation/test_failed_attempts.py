@@ -1,7 +1,7 @@
 """What the agent makes of attempts that failed: other places to stand at, and targets to give up."""
 
 import numpy as np
-from box_world import Box, observe
+from worlds.box_world import Box, observe
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from small_home import small_home
+from worlds.small_home import small_home
 
 from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction, JointDisplacement, Joints

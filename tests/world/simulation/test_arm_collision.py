@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from small_home import BALL, CATALOGUE, CUP, SINK, TABLE, TABLE_HEIGHT, instance, small_home
+from worlds.small_home import BALL, CATALOGUE, CUP, SINK, TABLE, TABLE_HEIGHT, instance, small_home
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Joints

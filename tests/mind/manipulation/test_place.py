@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from arm_world import ArmWorld, play
-from box_world import Box
+from worlds.arm_world import ArmWorld, play
+from worlds.box_world import Box
 
 from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction, Instruction

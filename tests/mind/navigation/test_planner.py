@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from box_world import Box, clearance, room
-from driving import Drive, arrived
+from worlds.box_world import Box, clearance, room
+from worlds.driving import Drive, arrived
 
 from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction, MapLabel

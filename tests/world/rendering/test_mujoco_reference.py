@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from camera_scenes import looking
+from worlds.camera_scenes import looking
 
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.world.generation.generate import generate_home

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from arm_world import ArmWorld
-from box_world import Box, observe, room
+from worlds.arm_world import ArmWorld
+from worlds.box_world import Box, observe, room
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import BasePose, PinholeCamera
