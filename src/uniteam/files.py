@@ -10,9 +10,9 @@ from uniteam.errors import InvalidInputError, UniteamError
 class UnwritableError(UniteamError):
     """A file or folder that cannot be written; the message says which and why."""
 
-    def __init__(self, path: Path, error: OSError | ValueError) -> None:
+    def __init__(self, path: Path, error: Exception) -> None:
         """Build the message from the path as the user gave it and what the system answered."""
-        why = (error.strerror if isinstance(error, OSError) else None) or str(error) or type(error).__name__
+        why = getattr(error, "strerror", None) or str(error) or type(error).__name__
         super().__init__(f"'{path}' cannot be written ({why}); make room or the rights for it, or choose another place")
 
 

@@ -1,15 +1,18 @@
 """A whole evaluation: real episodes in worker processes, from nothing to the table."""
 
+import gzip
 import json
+import pickle
 from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
 import pytest
 
-from uniteam.errors import InvalidInputError
+from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.evaluation.agent_spec import AgentSpec, label_agents
-from uniteam.evaluation.evaluation import Evaluation, Run, choose_episodes
+from uniteam.evaluation.configuration import Run
+from uniteam.evaluation.evaluation import Evaluation, choose_episodes
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split, write_split
@@ -28,13 +31,17 @@ def two_episodes(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+def ignore(*outcome: object) -> None:
+    """Hear of a result or a loss and do nothing."""
+
+
 @pytest.fixture(scope="module")
 def evaluation(two_episodes: Path, tmp_path_factory: pytest.TempPathFactory) -> Evaluation:
     """The random agent and the oracle, played on that split by two workers."""
     run = Run(str(two_episodes), label_agents(("random", "oracle"), "truth"), "truth", "half")
-    evaluation = Evaluation(run, tmp_path_factory.mktemp("run"))
-    evaluation.play(2, lambda agent, result: None)
-    evaluation.write_summary()
+    with Evaluation(run, tmp_path_factory.mktemp("run")) as evaluation:
+        evaluation.play(2, ignore, ignore)
+        evaluation.write_summary()
     return evaluation
 
 
@@ -73,16 +80,25 @@ def test_the_summary_says_what_it_is_from(evaluation: Evaluation) -> None:
 
 
 def test_a_finished_run_is_taken_up_with_nothing_left_to_play(evaluation: Evaluation) -> None:
-    again = Evaluation(evaluation.run, evaluation.store.directory)
-    assert again.remaining == []
-    assert again.summaries() == evaluation.summaries()
+    with Evaluation(evaluation.run, evaluation.store.directory) as again:
+        assert again.remaining == []
+        assert again.summaries() == evaluation.summaries()
+
+
+def test_figures_are_of_the_episodes_asked_for(evaluation: Evaluation) -> None:
+    with Evaluation(replace(evaluation.run, episode_count=1), evaluation.store.directory) as first:
+        assert {agent: summary.episode_count for agent, summary in first.summaries().items()} == {
+            "random": 1,
+            "oracle": 1,
+        }
+        assert first.summaries()["oracle"].estimates["overall_success"].mean == 1.0
 
 
 def test_results_that_are_missing_are_played_again_and_are_the_same(evaluation: Evaluation, tmp_path: Path) -> None:
     """One worker, another order, another process: an episode is what its seed makes it."""
-    again = Evaluation(replace(evaluation.run, agents=RANDOM), tmp_path)
     shown: list[tuple[str, EpisodeResult]] = []
-    again.play(1, lambda agent, result: shown.append((agent, result)))
+    with Evaluation(replace(evaluation.run, agents=RANDOM), tmp_path) as again:
+        again.play(1, lambda agent, result: shown.append((agent, result)), ignore)
     assert [agent for agent, _ in shown] == ["random", "random"]
     for _, result in shown:
         assert result.measures == evaluation.store.results["random"][result.episode].measures
@@ -93,6 +109,42 @@ def test_a_directory_of_another_perception_camera_or_split_is_refused(evaluation
         Evaluation(replace(evaluation.run, camera="full"), evaluation.store.directory)
     with pytest.raises(InvalidInputError, match="split was two and is now minival"):
         Evaluation(replace(evaluation.run, split="minival"), evaluation.store.directory)
+    with pytest.raises(InvalidInputError, match=r"episode_seconds was 3600\.0 and is now 60\.0"):
+        Evaluation(replace(evaluation.run, episode_seconds=60.0), evaluation.store.directory)
+
+
+def test_a_home_that_has_changed_under_its_name_is_another_split(
+    evaluation: Evaluation, two_episodes: Path, tmp_path: Path
+) -> None:
+    lines = [json.loads(line) for line in gzip.decompress(two_episodes.read_bytes()).splitlines()]
+    for line in lines:
+        if "home" in line:
+            line["home"]["stage"]["walls"][0]["thickness"] *= 0.9
+    changed = tmp_path / "two.jsonl"
+    changed.write_text("".join(json.dumps(line) + "\n" for line in lines))
+    with pytest.raises(InvalidInputError, match=r"split_digest was .* and is now"):
+        Evaluation(replace(evaluation.run, split=str(changed)), evaluation.store.directory)
+
+
+def test_what_a_worker_finds_changed_since_the_run_began_is_not_played(tmp_path: Path, two_episodes: Path) -> None:
+    split = tmp_path / "mine.jsonl.gz"
+    split.write_bytes(two_episodes.read_bytes())
+    run = Run(str(split), RANDOM, "truth", "half")
+    with Evaluation(run, tmp_path / "out") as evaluation:
+        split.write_bytes(gzip.compress(gzip.decompress(split.read_bytes()) + b"\n", mtime=0))
+        with pytest.raises(UniteamError, match="the split have changed since the run began"):
+            evaluation.play(1, ignore, ignore)
+
+
+def test_the_configuration_says_what_frames_depend_on(evaluation: Evaluation) -> None:
+    recorded = json.loads((evaluation.store.directory / "config.json").read_text())
+    assert set(recorded["software"]) > {"python", "numpy", "numba", "llvmlite", "mujoco", "cpu", "cpu_features"}
+    assert recorded["software"]["numba"] == version("numba")
+    assert len(recorded["models_digest"]) == len(recorded["split_digest"]) == 12
+
+
+def test_a_run_can_be_sent_to_another_process(evaluation: Evaluation) -> None:
+    assert pickle.loads(pickle.dumps(evaluation.run)) == evaluation.run
 
 
 def test_a_few_episodes_come_from_many_homes() -> None:

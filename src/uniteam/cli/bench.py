@@ -11,9 +11,11 @@ from rich.progress import Progress
 from rich.table import Table
 
 import uniteam
+from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.bench import BenchReport, compare_cameras, measure
+from uniteam.files import try_output, write_whole
 from uniteam.world.rendering.mujoco_reference import OpenGLMissingError
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split
@@ -31,19 +33,21 @@ def bench(out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None
         out: A JSON file to write the figures to.
         episodes: How many episodes to play.
     """
-    console = Console()
+    console = make_console()
     split = load_split(SPLIT)
     if not 1 <= episodes <= len(split.episodes):
         raise InvalidInputError(f"{SPLIT} has {len(split.episodes)} episodes; --episodes {episodes} is out of range")
+    if out is not None:
+        try_output(out)
     with Progress(console=console, transient=True) as progress:
         bar = progress.add_task("playing", total=episodes)
         report = measure(split, AgentSpec(AGENT, PERCEPTION), episodes, lambda: progress.advance(bar))
     console.print(_table(report))
     camera = _compare(split, console)
     if out is not None:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        out.write_text(json.dumps({**asdict(report), **camera, "version": uniteam.__version__}, indent=2) + "\n")
-        console.print(f"Written to {out}.")
+        figures = {**asdict(report), **camera, "version": uniteam.__version__}
+        write_whole(out, (json.dumps(figures, indent=2) + "\n").encode())
+        console.print(f"Written to {shown(out)}.", soft_wrap=True)
 
 
 def _compare(split: Split, console: Console) -> dict[str, Any]:
@@ -51,7 +55,7 @@ def _compare(split: Split, console: Console) -> dict[str, Any]:
     try:
         comparison = compare_cameras(split)
     except OpenGLMissingError as error:
-        console.print(f"The camera was not compared with MuJoCo's renderer: {error}.", highlight=False)
+        console.print(f"The camera was not compared with MuJoCo's renderer: {shown(error)}.")
         return {"camera_speedup": None, "camera_comparison_missing": str(error)}
     console.print(
         f"Camera against mujoco.Renderer, {comparison.view_count} views, RGB, depth and instances: "
@@ -59,7 +63,6 @@ def _compare(split: Split, console: Console) -> dict[str, Any]:
         f"[bold]{comparison.camera_speedup:.1f} times faster[/]; depth agrees to "
         f"{comparison.depth_median_error * 1000:.3f} mm (median), instances to "
         f"{comparison.instance_agreement * 100:.2f} %.",
-        highlight=False,
     )
     return {"camera_speedup": comparison.camera_speedup, "camera_comparison": asdict(comparison)}
 

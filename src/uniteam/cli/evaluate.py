@@ -1,6 +1,5 @@
 """`uniteam evaluate`: agents over a split, and the challenge's table."""
 
-import os
 from collections import Counter
 from pathlib import Path
 from typing import Annotated, Literal
@@ -10,12 +9,24 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
 
 import uniteam
-from uniteam.errors import InvalidInputError
+from uniteam.cli.terminal import Interrupted, make_console, shown
+from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.evaluation.agent_spec import label_agents
-from uniteam.evaluation.analysis.table import challenge_table
-from uniteam.evaluation.evaluation import Evaluation, Run
+from uniteam.evaluation.analysis.table import Row, challenge_table
+from uniteam.evaluation.backends.capacity import allowed_cores, most_workers
+from uniteam.evaluation.backends.processes import Lost
+from uniteam.evaluation.configuration import Run
+from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.results.result import EpisodeResult
-from uniteam.evaluation.results.summary import Summary, summarize
+from uniteam.evaluation.results.summary import summarize
+from uniteam.world.task.episode import Episode
+
+LONGEST_EPISODE = 86_400.0 * 7
+"""s."""
+
+
+class LostEpisodesError(UniteamError):
+    """Episodes came to nothing by no fault of the agents."""
 
 
 def evaluate(
@@ -29,6 +40,7 @@ def evaluate(
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
     breakdown: bool = False,
+    episode_seconds: Annotated[float, tyro.conf.arg(metavar="S")] = 3600.0,
 ) -> None:
     """Play a split's episodes with one or more agents, in parallel, and print the challenge's table.
 
@@ -36,26 +48,40 @@ def evaluate(
     agents to add rows to the table.
 
     Args:
-        agents: Which agents: baseline, uniteam, random, or oracle, which is told the truth.
+        agents: Which agents: names, or your own as MODULE:ATTRIBUTE.
         split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
-        perception: What the agents see with.
+        perception: What the agents see with: a name, or your own as MODULE:ATTRIBUTE.
         episodes: How many episodes, taken from the homes in turn; all by default.
-        workers: How many processes; as many as there are cores by default.
+        workers: How many processes; by default as many as there are cores and memory for.
         camera: Images of 240x320 (half) or of 480x640 (full).
         out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA by default.
-        with_: Improvements to add to the agents that lack them, by name (a wrong name lists them).
+        with_: Improvements to add to the agents that lack them: names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agents that have them, by name.
         breakdown: Add a row for the seen and one for the unseen object categories.
+        episode_seconds: How long an episode may take; one that takes longer is ended, and fails if it was the agent
+            that took so long.
     """
     _check_at_least_one(episodes=episodes, workers=workers)
-    console = Console()
-    run = Run(split, label_agents(agents, perception, with_, without), perception, camera, episodes)
-    directory = out or Path("runs") / f"{Path(split).name.split('.')[0]}-{perception}-{camera}"
-    evaluation = Evaluation(run, directory)
-    _play(evaluation, workers or os.cpu_count() or 1, console)
-    evaluation.write_summary()
-    console.print(challenge_table(_rows(evaluation, breakdown), _caption(evaluation)))
-    _report(evaluation, console)
+    if not agents:
+        raise InvalidInputError("--agents needs at least one name, such as --agents uniteam")
+    if not 0.0 < episode_seconds <= LONGEST_EPISODE:
+        raise InvalidInputError(f"--episode-seconds must be above 0 and at most a week, got {episode_seconds}")
+    console = make_console()
+    labelled = label_agents(agents, perception, with_, without)
+    run = Run(split, labelled, perception, camera, episodes, episode_seconds)
+    with Evaluation(run, out or default_directory(run)) as evaluation:
+        lost = _play(evaluation, _worker_count(workers, len(evaluation.remaining)), console)
+        evaluation.write_summary()
+        console.print(challenge_table(_rows(evaluation, breakdown), _caption(evaluation), console.width, shown))
+        _report(evaluation, console)
+    if lost:
+        raise LostEpisodesError(_lost_sentence(lost, evaluation))
+
+
+def default_directory(run: Run) -> Path:
+    """Return the directory of a run that names none."""
+    words = (Path(run.split).name.split(".")[0], run.perception.replace(":", "."), run.camera)
+    return Path("runs") / "-".join(words)
 
 
 def _check_at_least_one(**counts: int | None) -> None:
@@ -64,14 +90,24 @@ def _check_at_least_one(**counts: int | None) -> None:
             raise InvalidInputError(f"--{name} must be at least 1, got {count}")
 
 
-def _play(evaluation: Evaluation, worker_count: int, console: Console) -> None:
-    """Play what remains under a progress bar that counts the successes so far."""
+def _worker_count(asked: int | None, jobs: int) -> int:
+    """Return how many worker processes to use, and say so where it is fewer than were asked for."""
+    room = most_workers()
+    count = min(asked or allowed_cores(), room, max(jobs, 1))
+    if asked is not None and count < asked:
+        why = f"there is memory for {room}" if count == room else f"{jobs} episodes are to be played"
+        make_console(stderr=True).print(f"[yellow]{count} workers instead of {asked}: {why}.[/]", soft_wrap=True)
+    return count
+
+
+def _play(evaluation: Evaluation, worker_count: int, console: Console) -> list[str]:
+    """Play what remains under a progress bar that counts the successes so far; return why episodes were lost."""
     remaining, total = len(evaluation.remaining), len(evaluation.attempts)
-    directory = evaluation.store.directory
+    directory = shown(evaluation.store.directory)
     if remaining < total:
         console.print(f"{total - remaining} of {total} episodes were played before; their results are in {directory}.")
     if not remaining:
-        return
+        return []
     columns = (
         SpinnerColumn(),
         BarColumn(),
@@ -79,26 +115,42 @@ def _play(evaluation: Evaluation, worker_count: int, console: Console) -> None:
         TimeRemainingColumn(),
         TextColumn("{task.description}"),
     )
+    lost: list[str] = []
     with Progress(*columns, console=console, speed_estimate_period=600.0) as progress:
         bar = progress.add_task("starting (the first time on a machine, compiling)", total=total)
         progress.update(bar, completed=total - remaining)
         tally = _Tally(evaluation)
 
-        def advance(agent: str, result: EpisodeResult) -> None:
-            progress.update(bar, advance=1, description=tally.after(agent, result))
+        def log(agent: str, episode: str, words: str) -> None:
             if not console.is_terminal:  # a log has no bar to watch
                 done = f"{total - len(evaluation.remaining)}/{total}"
-                console.print(
-                    f"{done} {agent}, {result.episode}: {result.failure or 'success'}", markup=False, soft_wrap=True
-                )
+                console.print(f"{done} {shown(f'{agent}, {episode}: {words}')}", soft_wrap=True)
+
+        def advance(agent: str, result: EpisodeResult) -> None:
+            progress.update(bar, advance=1, description=tally.after(agent, result))
+            log(agent, result.episode, result.failure or "success")
+
+        def note_lost(agent: str, episode: Episode, outcome: Lost) -> None:
+            lost.append(outcome.reason)
+            log(agent, episode.id, f"lost: {outcome.reason}")
 
         try:
-            evaluation.play(worker_count, advance)
-        except KeyboardInterrupt:
+            evaluation.play(worker_count, advance, note_lost)
+        except KeyboardInterrupt as stop:
             kept = total - len(evaluation.remaining)
             progress.update(bar, description="stopped")
-            console.print(f"Stopped: {kept} of {total} results are kept in {directory}. The same command goes on.")
+            by = f" by {stop}" if isinstance(stop, Interrupted) else ""
+            console.print(f"Stopped{by}: {kept} of {total} results are kept in {directory}. The same command goes on.")
             raise
+    return lost
+
+
+def _lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
+    reasons = "; ".join(list(dict.fromkeys(lost))[:3])
+    return (
+        f"{len(lost)} of the episodes were lost by no fault of the agents ({reasons}); they are not counted, "
+        f"{evaluation.store.directory / 'lost.jsonl'} says more, and the same command plays them again"
+    )
 
 
 class _Tally:
@@ -107,45 +159,49 @@ class _Tally:
     def __init__(self, evaluation: Evaluation) -> None:
         self._played: Counter[str] = Counter()
         self._succeeded: Counter[str] = Counter()
-        for agent in evaluation.run.agents:
-            for result in evaluation.store.results.get(agent, {}).values():
-                self.after(agent, result)
+        for agent, results in evaluation.results().items():
+            for result in results:
+                if agent in evaluation.run.agents:
+                    self.after(agent, result)
 
     def after(self, agent: str, result: EpisodeResult) -> str:
         """Count a result and return the words."""
         self._played[agent] += 1
         self._succeeded[agent] += result.measures.overall_success
-        return "succeeded: " + ", ".join(f"{name} {self._succeeded[name]}/{n}" for name, n in self._played.items())
+        counts = ", ".join(f"{name} {self._succeeded[name]}/{n}" for name, n in self._played.items())
+        return shown(f"succeeded: {counts}")
 
 
-def _rows(evaluation: Evaluation, breakdown: bool) -> dict[str, Summary]:
+def _rows(evaluation: Evaluation, breakdown: bool) -> dict[str, Row]:
     """Return the table's rows: each agent's, and by kind of object category where that is asked for."""
-    if not breakdown:
-        return evaluation.summaries()
+    asked = evaluation.wanted
     rows = {}
-    for agent, results in evaluation.store.results.items():
-        rows[agent] = summarize(list(results.values()))
-        for heading, unseen in (("seen categories", False), ("unseen categories", True)):
-            some = [result for result in results.values() if result.unseen is unseen]
+    for agent, results in evaluation.results().items():
+        rows[agent] = Row(summarize(results), len(asked))
+        for heading, unseen in (("seen categories", False), ("unseen categories", True)) if breakdown else ():
+            some = [result for result in results if result.unseen is unseen]
             if some:
-                rows[f"{agent}, {heading}"] = summarize(some)
+                count = sum(episode.unseen is unseen for episode in asked)
+                rows[f"{agent}, {heading}"] = Row(summarize(some), count)
     return rows
 
 
 def _caption(evaluation: Evaluation) -> str:
     run = evaluation.run
-    return (
+    words = (
         f"Percent, steps: mean over 95 % interval. Split {evaluation.split.name}, perception {run.perception}, "
-        f"camera {run.camera}, {len(evaluation.attempts) // len(run.agents)} episodes, uniteam {uniteam.__version__}."
+        f"camera {run.camera}, {len(evaluation.wanted)} episodes, uniteam {uniteam.__version__}."
     )
+    return shown(words)
 
 
 def _report(evaluation: Evaluation, console: Console) -> None:
     """Say where the results are, and what went wrong."""
     store = evaluation.store
-    results = [result for agent in store.results.values() for result in agent.values()]
+    results = [result for own in evaluation.results().values() for result in own]
     crashed = sum(result.crashed for result in results)
     if crashed:
         console.print(f"[red]Crashed and counted as failures: {crashed}.[/] Each result's 'traceback' says where.")
     memory = max((result.peak_memory for result in results), default=0.0)
-    console.print(f"Results, configuration and summary: {store.directory} (a worker used at most {memory:.0f} MB).")
+    directory = shown(store.directory)
+    console.print(f"Results, configuration and summary: {directory} (a worker used at most {memory:.0f} MB).")

@@ -1,17 +1,27 @@
 """The command `uniteam`: one subcommand a file, imported only when it is called."""
 
+import os
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from importlib import import_module
 from inspect import cleandoc
 from typing import NoReturn
 
 from rich.console import Console
-from rich.markup import escape
 
 from uniteam import __version__
+from uniteam.cli.terminal import (
+    Interrupted,
+    interruptible,
+    make_console,
+    show_warnings,
+    shown,
+    write_what_can_be_written,
+)
 from uniteam.errors import UniteamError, UnknownNameError
+from uniteam.kernel_cache import check_environment
 
 
 @dataclass(frozen=True)
@@ -44,27 +54,73 @@ COMMANDS = {
 
 USER_ERROR = 2
 INTERRUPTED = 130
+SIGNALLED = 128
+"""A command that a signal ended exits with this and the signal's number, as shells have it."""
+BROKEN_PIPE = 141
+
+DEBUG = "UNITEAM_DEBUG"
+"""An environment variable: where it is set, an error shows its traceback."""
 
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run `uniteam` with the given arguments, or those of the command line, and exit."""
     given = list(sys.argv[1:] if arguments is None else arguments)
+    write_what_can_be_written()
     try:
-        sys.exit(_dispatch(given))
-    except UniteamError as error:
-        Console(stderr=True).print(f"[bold red]uniteam:[/] {escape(str(error))}", highlight=False, soft_wrap=True)
-        sys.exit(USER_ERROR)
+        with interruptible():
+            code = _dispatch(given)
+            if sys.stdout is not None:
+                sys.stdout.flush()
+        sys.exit(code)
+    except BrokenPipeError:  # whoever read our output has read enough
+        _forget_output()
+        sys.exit(BROKEN_PIPE)
+    except Interrupted as signal:
+        _forget_output()  # the terminal may be gone
+        sys.exit(SIGNALLED + signal.number)
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)
+    except (UniteamError, OSError, MemoryError, RecursionError) as error:
+        if os.environ.get(DEBUG):
+            raise
+        _complain(_sentence(error))
+        sys.exit(USER_ERROR)
+
+
+def _sentence(error: Exception) -> str:
+    """Return what is wrong, in words."""
+    if isinstance(error, UniteamError):
+        return str(error)
+    if isinstance(error, OSError):
+        where = f" ({error.filename})" if error.filename is not None else ""
+        return f"the system refused what was to be done: {error.strerror or error}{where}"
+    if isinstance(error, MemoryError):
+        return "there is not enough memory for this; close other programs, or choose something smaller"
+    return "what was given is nested too deeply to be read"
+
+
+def _complain(sentence: str) -> None:
+    with suppress(OSError):  # nobody is there to read it
+        make_console(stderr=True).print(f"[bold red]uniteam:[/] {shown(sentence)}", soft_wrap=True)
+
+
+def _forget_output() -> None:
+    """Have what is still to be written go nowhere, so that Python does not stumble over it at its end."""
+    with suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
 
 
 def _dispatch(given: list[str]) -> int:
     if not given or given[0] in ("-h", "--help", "help"):
-        _print_overview(Console())
+        _print_overview(make_console())
         return 0
     if given[0] in ("-V", "--version"):
-        Console().print(f"uniteam {__version__}", highlight=False)
+        make_console().print(f"uniteam {__version__}")
         return 0
+    show_warnings()
+    check_environment()
+    _import_from_here()
     name, *rest = given
     if name not in COMMANDS:
         raise UnknownNameError("command", name, COMMANDS)
@@ -81,12 +137,20 @@ def _call(name: str, arguments: list[str]) -> int:
     return 0
 
 
+def _import_from_here() -> None:
+    """Let "my_agent:Spinner" be found in the folder that the command is given in, by worker processes too."""
+    with suppress(OSError):  # the folder has been removed
+        here = os.getcwd()  # noqa: PTH109 - sys.path holds strings
+        if not {"", here} & set(sys.path):
+            sys.path.append(here)
+
+
 def _print_overview(console: Console) -> None:
     console.print(f"[bold]uniteam[/] {__version__}: simulated homes, a Stretch robot, and agents that tidy up.\n")
-    console.print("Usage: uniteam COMMAND [OPTIONS]; 'uniteam COMMAND --help' explains the options.\n", highlight=False)
+    console.print("Usage: uniteam COMMAND [OPTIONS]; 'uniteam COMMAND --help' explains the options.\n")
     for name, command in COMMANDS.items():
-        console.print(f"  [bold]{name:<10}[/]{command.purpose}", highlight=False, soft_wrap=True)
-        console.print(f"  {'':<10}[dim]{command.example}[/]", highlight=False, soft_wrap=True)
+        console.print(f"  [bold]{name:<10}[/]{command.purpose}", soft_wrap=True)
+        console.print(f"  {'':<10}[dim]{command.example}[/]", soft_wrap=True)
     console.print("\nBegin with [bold]uniteam evaluate[/]: ten episodes, two agents, one table.")
 
 

@@ -7,9 +7,9 @@ from typing import Annotated, Literal
 
 import tyro
 from rich.console import Console
-from rich.markup import escape
 from rich.table import Table
 
+from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.agent_spec import label_agents
 from uniteam.evaluation.episode_loop import Observer, Step, play_episode
@@ -37,31 +37,31 @@ def run(
     """Play one episode, tell what happens a line at a time, and film it if asked to.
 
     Args:
-        agent: Which agent: baseline, uniteam, random, or oracle, which is told the truth.
+        agent: Which agent: a name, or your own as MODULE:ATTRIBUTE.
         split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
         episode: Which episode of the split, counted from 0.
         video: An .mp4 file to film it into.
-        perception: What the agent sees with.
+        perception: What the agent sees with: a name, or your own as MODULE:ATTRIBUTE.
         camera: Images of 240x320 (half) or of 480x640 (full).
-        with_: Improvements to add if the agent lacks them, by name (a wrong name lists them).
+        with_: Improvements to add if the agent lacks them, names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agent, by name.
     """
-    console = Console()
+    console = make_console()
     ((label, spec),) = label_agents((agent,), perception, with_, without).items()
     episodes = load_split(split)
     chosen = _choose(episodes.episodes, episode, split)
-    environment = Environment(episodes.homes[chosen.home], chosen, camera_named(camera), spec.needs_truth)
-    console.print(f"[bold]{chosen.instruction}[/] ({episodes.name}, episode {episode}, {label}, {perception})\n")
     with ExitStack() as stack:
+        environment = Environment(episodes.homes[chosen.home], chosen, camera_named(camera), spec.needs_truth)
         observers: list[Observer] = [Narrator(_speak_to(console))]
         if video is not None:
-            film = Film(video, environment, f"{label} · {episodes.name} · episode {episode}")
-            stack.callback(film.close)
+            film = stack.enter_context(Film(video, environment, f"{label} · {episodes.name} · episode {episode}"))
             observers.append(film)
+        where = shown(f"({episodes.name}, episode {episode}, {label}, {perception})")
+        console.print(f"[bold]{shown(chosen.instruction)}[/] {where}\n")
         result = play_episode(environment, spec.make(environment), lambda step: _show(step, observers))
     _report(result, console)
     if video is not None:
-        console.print(f"Film: {video}")
+        console.print(f"Film: {shown(video)}", soft_wrap=True)
 
 
 def _choose(episodes: tuple[Episode, ...], index: int, split: str) -> Episode:
@@ -78,7 +78,7 @@ def _show(step: Step, observers: list[Observer]) -> None:
 def _speak_to(console: Console) -> Callable[[int, str, str], None]:
     def say(number: int, kind: str, sentence: str) -> None:
         style = _STYLES[kind]
-        console.print(f"[dim]{number:5d}[/]  [{style}]{escape(sentence)}[/]", highlight=False, soft_wrap=True)
+        console.print(f"[dim]{number:5d}[/]  [{style}]{shown(sentence)}[/]", soft_wrap=True)
 
     return say
 
@@ -90,6 +90,6 @@ def _report(result: EpisodeResult, console: Console) -> None:
         table.add_row(name, str(value))
     console.print()
     console.print(table)
-    verdict = f"[red]{escape(result.failure)}[/]" if result.failure else "[green]overall success[/]"
+    verdict = f"[red]{shown(result.failure)}[/]" if result.failure else "[green]overall success[/]"
     rate = result.measures.num_steps / result.seconds
     console.print(f"{verdict}\n{result.seconds:.1f} s, {rate:.0f} steps a second, narration and film included.")

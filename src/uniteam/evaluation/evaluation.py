@@ -1,60 +1,55 @@
 """Play a split's episodes with several agents in parallel, keeping every result as it comes."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from contextlib import closing
-from dataclasses import dataclass
-from hashlib import sha256
 from itertools import chain, zip_longest
 from pathlib import Path
-from typing import Any
+from types import TracebackType
 
-import uniteam
-from uniteam.evaluation.agent_spec import AgentSpec
-from uniteam.evaluation.backends.processes import Job, Lost, WorkerPool
+from uniteam.errors import InvalidInputError
+from uniteam.evaluation.backends.processes import Lost, OutOfTime, WorkerProcesses
+from uniteam.evaluation.configuration import Run, resolve
 from uniteam.evaluation.episode_loop import crashed_result
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.results.store import ResultStore
 from uniteam.evaluation.results.summary import Summary, summarize
 from uniteam.evaluation.worker import Attempt, PlayerSetup, camera_named
-from uniteam.world.task.episode import Episode, Split
+from uniteam.world.task.episode import Episode
 from uniteam.world.task.splits import load_split
 
 OnResult = Callable[[str, EpisodeResult], None]
-
-
-@dataclass(frozen=True)
-class Run:
-    """What to evaluate.
-
-    Attributes:
-        split: a built-in split's name or a split file's path.
-        agents: by the label they have in the results.
-        perception: the kind of perception that the agents see with.
-        camera: "half" or "full".
-        episode_count: how many episodes to play; None for all of the split.
-    """
-
-    split: str
-    agents: Mapping[str, AgentSpec]
-    perception: str
-    camera: str
-    episode_count: int | None = None
+OnLost = Callable[[str, Episode, Lost], None]
 
 
 class Evaluation:
-    """A run in its directory: what is there, and what is still to be played."""
+    """A run in its directory: what is there, and what is still to be played. Close it, or use it in a `with`."""
 
     def __init__(self, run: Run, directory: Path) -> None:
         """Open the split and take up what the directory holds.
 
         Raises:
-            UniteamError: an unknown name, a damaged file, or a directory of another configuration.
+            UniteamError: an unknown name, a damaged file, a directory of another configuration, one that cannot be
+                written, or one that another run writes into.
         """
         camera_named(run.camera)
         self.run = run
         self.split = load_split(run.split)
-        self.store = ResultStore(directory, resolve(run, self.split))
+        ids = {episode.id for episode in self.split.episodes}
+        if len(ids) < len(self.split.episodes):
+            raise InvalidInputError(f"the split {run.split} holds two episodes of one id; give each an id of its own")
+        self._configuration = resolve(run)
         self._wanted = choose_episodes(self.split.episodes, run.episode_count)
+        self.store = ResultStore(directory, self._configuration, ids)
+
+    def __enter__(self) -> "Evaluation":
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Let other processes have the directory."""
+        self.store.close()
 
     @property
     def attempts(self) -> list[Attempt]:
@@ -66,51 +61,57 @@ class Evaluation:
         """The attempts without a result yet."""
         return [a for a in self.attempts if self._episode(a).id not in self.store.results.get(a.agent, {})]
 
-    def play(self, worker_count: int, on_result: OnResult) -> None:
-        """Play what remains in `worker_count` processes and record each result as it comes."""
-        jobs = [Job(attempt, self._episode(attempt).home) for attempt in self.remaining]
-        pool: WorkerPool[Attempt, EpisodeResult] = WorkerPool(
-            PlayerSetup(self.run.split, self.run.agents, self.run.camera), worker_count
+    @property
+    def wanted(self) -> list[Episode]:
+        """The episodes that the run asks for."""
+        return [self.split.episodes[index] for index in self._wanted]
+
+    def results(self) -> dict[str, list[EpisodeResult]]:
+        """Return, by agent, the results of the episodes that the run asks for, of every agent that has any."""
+        wanted = [episode.id for episode in self.wanted]
+        by_agent = {agent: [own[i] for i in wanted if i in own] for agent, own in self.store.results.items()}
+        return {agent: results for agent, results in by_agent.items() if results}
+
+    def play(self, worker_count: int, on_result: OnResult, on_lost: OnLost) -> None:
+        """Play what remains in `worker_count` processes and record each result as it comes.
+
+        An attempt that was lost by no fault of the agent has no result: a later run plays it again.
+
+        Raises:
+            UniteamError: as raised in a worker.
+            UnwritableError: a result cannot be written.
+        """
+        workers: WorkerProcesses[Attempt, EpisodeResult | Lost] = WorkerProcesses(
+            PlayerSetup(self.run, self._configuration), worker_count, self.run.episode_seconds
         )
-        with closing(pool.do(jobs)) as outcomes:
+        with closing(workers.do(self.remaining, lambda attempt: self._episode(attempt).home)) as outcomes:
             for attempt, outcome in outcomes:
-                result = self._lost(attempt, outcome) if isinstance(outcome, Lost) else outcome
+                episode = self._episode(attempt)
+                if isinstance(outcome, Lost):
+                    self.store.record_lost(attempt.agent, episode.id, outcome.reason, outcome.traceback)
+                    on_lost(attempt.agent, episode, outcome)
+                    continue
+                result = _out_of_time(episode, outcome) if isinstance(outcome, OutOfTime) else outcome
                 self.store.append(attempt.agent, result)
                 on_result(attempt.agent, result)
 
     def summaries(self) -> dict[str, Summary]:
-        """Return the figures of every agent that the directory has results of."""
-        return {agent: summarize(list(results.values())) for agent, results in self.store.results.items() if results}
+        """Return the figures of every agent over the episodes that the run asks for."""
+        return {agent: summarize(results) for agent, results in self.results().items()}
 
     def write_summary(self) -> None:
         """Write the figures to `summary.json`; each agent's say what they are from."""
-        source = {
-            "split": self.split.name,
-            "perception": self.run.perception,
-            "camera": self.run.camera,
-            "version": uniteam.__version__,
-        }
+        names = ("split", "split_digest", "perception", "camera", "version")
+        source = {**{name: self._configuration[name] for name in names}, "episodes_asked": len(self._wanted)}
         self.store.write_summary({agent: {**source, **s.to_data()} for agent, s in self.summaries().items()})
 
     def _episode(self, attempt: Attempt) -> Episode:
         return self.split.episodes[attempt.episode]
 
-    def _lost(self, attempt: Attempt, lost: Lost) -> EpisodeResult:
-        sentence = f"its process {lost.reason}"
-        return crashed_result(self._episode(attempt), f"crashed: {sentence}", f"No traceback: {sentence}.")
 
-
-def resolve(run: Run, split: Split) -> dict[str, Any]:
-    """Return everything the results depend on, as plain JSON data."""
-    return {
-        "version": uniteam.__version__,
-        "code": source_digest(),
-        "split": split.name,
-        "episodes": _digest(repr(split.episodes).encode()),
-        "perception": run.perception,
-        "camera": run.camera,
-        "agents": {label: spec.describe() for label, spec in run.agents.items()},
-    }
+def _out_of_time(episode: Episode, outcome: OutOfTime) -> EpisodeResult:
+    sentence = f"the agent took more than {outcome.seconds:g} s"
+    return crashed_result(episode, f"ran out of time: {sentence}", f"No traceback: {sentence}.")
 
 
 def choose_episodes(episodes: Iterable[Episode], count: int | None) -> list[int]:
@@ -120,14 +121,3 @@ def choose_episodes(episodes: Iterable[Episode], count: int | None) -> list[int]
         by_home.setdefault(episode.home, []).append(index)
     in_turn = [index for index in chain.from_iterable(zip_longest(*by_home.values())) if index is not None]
     return in_turn[:count]
-
-
-def source_digest() -> str:
-    """Return a digest of the source of world and mind: results of different code are different results."""
-    root = Path(uniteam.__file__).parent
-    paths = chain(root.glob("*.py"), (root / "world").rglob("*.py"), (root / "mind").rglob("*.py"))
-    return _digest(b"".join(path.read_bytes() for path in sorted(paths)))
-
-
-def _digest(content: bytes) -> str:
-    return sha256(content).hexdigest()[:12]

@@ -1,14 +1,20 @@
 """What a worker process does: it opens the split once and plays the episodes it is handed."""
 
+import logging
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import dataclass
+from traceback import format_exception
+from typing import Any
 
 import cv2
 
-from uniteam.errors import DamagedFileError, UniteamError, UnknownNameError
-from uniteam.evaluation.agent_spec import AgentSpec
-from uniteam.evaluation.episode_loop import play_episode, result_of_exception
+from uniteam.errors import InvalidInputError, UniteamError, UnknownNameError
+from uniteam.evaluation.agent_spec import AGENT_NAMES, ORACLE, AgentSpec
+from uniteam.evaluation.backends.processes import Lost
+from uniteam.evaluation.backends.serving import Charging
+from uniteam.evaluation.charged_agent import AgentError, ChargedAgent
+from uniteam.evaluation.configuration import Run, resolve
+from uniteam.evaluation.episode_loop import Step, play_episode, result_of_exception
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.warm_up import warm_up
 from uniteam.geometry import PinholeCamera
@@ -18,6 +24,8 @@ from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split
 
 CAMERAS = {"half": HEAD_CAMERA_HALF, "full": HEAD_CAMERA_FULL}
+
+_log = logging.getLogger(__name__)
 
 
 def camera_named(name: str) -> PinholeCamera:
@@ -43,47 +51,80 @@ class Attempt:
 class EpisodePlayer:
     """Plays attempts at the episodes of one split."""
 
-    def __init__(self, split: Split, agents: Mapping[str, AgentSpec], camera: PinholeCamera) -> None:
+    def __init__(self, split: Split, run: Run, charging: Charging) -> None:
         self._split = split
-        self._agents = agents
-        self._camera = camera
+        self._run = run
+        self._camera = camera_named(run.camera)
+        self._charging = charging
 
-    def __call__(self, attempt: Attempt) -> EpisodeResult:
-        """Play an attempt; an exception becomes a result.
+    def __call__(self, attempt: Attempt) -> EpisodeResult | Lost:
+        """Play an attempt.
+
+        An exception of the agent is its result; an exception of the world, and want of memory, is nothing that the
+        agent did.
 
         Raises:
             UniteamError: the home cannot be opened: the split or the pack is at fault, and every episode would crash.
         """
-        episode, spec = self._split.episodes[attempt.episode], self._agents[attempt.agent]
+        episode, spec = self._split.episodes[attempt.episode], self._run.agents[attempt.agent]
+        steps = 0
+
+        def count(step: Step) -> None:
+            nonlocal steps
+            steps += 1
+
         try:
             environment = Environment(self._split.homes[episode.home], episode, self._camera, spec.needs_truth)
+            agent = ChargedAgent(lambda: spec.make(environment), self._charging)
+            return play_episode(environment, agent, count)
+        except AgentError as error:
+            return result_of_exception(episode, error.__cause__ or error, steps)
         except UniteamError:
             raise
+        except MemoryError as error:
+            return Lost("the machine had no memory left", "".join(format_exception(error)))
         except Exception as error:
-            return result_of_exception(episode, error, steps=0)
-        try:
-            return play_episode(environment, spec.make(environment))
-        except DamagedFileError:
-            raise
-        except Exception as error:
-            return result_of_exception(episode, error, environment.measures.num_steps)
+            reason = f"the simulator failed with {type(error).__name__}: {error}"
+            return Lost(reason, "".join(format_exception(error)))
 
 
 @dataclass(frozen=True)
 class PlayerSetup:
-    """A recipe for an `EpisodePlayer` that can be sent to another process."""
+    """A recipe for an `EpisodePlayer` that can be sent to another process.
 
-    split: str
-    agents: Mapping[str, AgentSpec]
-    camera: str
+    Attributes:
+        run: what is evaluated.
+        configuration: of the run as it began; a worker that finds another one refuses to play.
+    """
 
-    def __call__(self) -> EpisodePlayer:
-        """Open the split and warm up, so that the next worker finds in the cache what this one had to compile."""
+    run: Run
+    configuration: Mapping[str, Any]
+
+    def __call__(self, charging: Charging) -> EpisodePlayer:
+        """Open the split and warm up, so that the next worker finds in the cache what this one had to compile.
+
+        Raises:
+            InvalidInputError: code, models or split have changed since the run began.
+        """
         cv2.setNumThreads(1)
-        split, camera = load_split(self.split), camera_named(self.camera)
-        episode = split.episodes[0]
-        with suppress(Exception):  # whatever is wrong will come up in an episode and be recorded there
-            for spec in self.agents.values():
-                environment = Environment(split.homes[episode.home], episode, camera, spec.needs_truth)
-                warm_up(environment, spec.make(environment))
-        return EpisodePlayer(split, self.agents, camera)
+        if resolve(self.run) != self.configuration:
+            raise InvalidInputError(
+                "the code, the models or the split have changed since the run began; "
+                "give the same command again with another --out"
+            )
+        split = load_split(self.run.split)
+        _warm_up(split, self.run)
+        return EpisodePlayer(split, self.run, charging)
+
+
+def _warm_up(split: Split, run: Run) -> None:
+    """Have compiled what is uniteam's own; agents and perceptions from outside may hang, and have a clock later."""
+    episode, camera = split.episodes[0], camera_named(run.camera)
+    for name in {spec.name for spec in run.agents.values()} & {*AGENT_NAMES, ORACLE}:
+        spec = AgentSpec(name, "truth")
+        try:
+            environment = Environment(split.homes[episode.home], episode, camera, spec.needs_truth)
+            warm_up(environment, spec.make(environment))
+        except Exception as error:  # whatever is wrong will come up in an episode and be recorded there
+            _log.warning("%s could not be warmed up: %s: %s", name, type(error).__name__, error)
+            _log.debug("this is where", exc_info=True)

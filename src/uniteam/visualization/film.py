@@ -1,6 +1,7 @@
 """Film an episode while it is played."""
 
 from pathlib import Path
+from types import TracebackType
 
 from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose
@@ -15,7 +16,7 @@ class Film:
     """An observer that draws a panel of each step into an MP4 file."""
 
     def __init__(self, path: Path, environment: Environment, title: str) -> None:
-        """Open the file; raises InvalidInputError where it cannot be written."""
+        """Open the file; raises InvalidInputError or UnwritableError as `VideoWriter` does."""
         self._video = VideoWriter(path, WIDTH, HEIGHT)
         self._environment = environment
         self._title = title
@@ -37,6 +38,9 @@ class Film:
             draw_panel(content), repeat=HOLD_SECONDS * FRAMES_PER_SECOND if self._environment.is_over else 1
         )
 
-    def close(self) -> None:
-        """Finish the file, so that it plays even where the episode was broken off."""
+    def __enter__(self) -> "Film":
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        """Finish the file, so that it plays to its end where the episode was broken off."""
         self._video.close()

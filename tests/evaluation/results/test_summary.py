@@ -1,8 +1,12 @@
 """The figures of the table and their intervals."""
 
-import pytest
+from io import StringIO
 
-from uniteam.evaluation.analysis.table import challenge_table
+import pytest
+from rich.console import Console
+from rich.markup import escape
+
+from uniteam.evaluation.analysis.table import Row, challenge_table
 from uniteam.evaluation.results.failure_cause import explain_failure
 from uniteam.evaluation.results.intervals import estimate_mean, estimate_proportion, student_quantile
 from uniteam.evaluation.results.result import EpisodeResult
@@ -55,12 +59,38 @@ def test_a_summary_counts_a_crash_as_a_failure() -> None:
 
 
 def test_the_table_has_the_challenges_columns_and_says_what_it_is_from() -> None:
-    table = challenge_table({"uniteam": summarize([result(Measures(True, num_steps=9))])}, "split val, truth")
+    rows = {"uniteam": Row(summarize([result(Measures(True, num_steps=9))]), 1)}
+    table = challenge_table(rows, "split val, truth", 100, str)
     headings = [str(column.header) for column in table.columns]
     assert headings == ["agent", "FindObj", "Pick", "FindRec", "Overall", "Partial", "Steps", "episodes"]
     assert str(table.caption) == "split val, truth"
     assert "100.0" in str(list(table.columns[1].cells))
     assert "25.0" in str(list(table.columns[5].cells))
+
+
+def printed(label: str, asked: int, width: int) -> str:
+    """Return the table of one agent as a terminal of a width shows it."""
+    rows = {label: Row(summarize([result(Measures(True, num_steps=9))] * 3), asked)}
+    console = Console(width=width, file=StringIO(), emoji=False)
+    console.print(challenge_table(rows, "split val", width, escape))
+    return console.file.getvalue()  # type: ignore[attr-defined]
+
+
+def test_a_row_that_is_from_fewer_episodes_than_asked_for_says_so() -> None:
+    assert "3 of 4" in printed("uniteam", 4, 100)
+    assert "of" not in printed("uniteam", 3, 100).replace("of val", "")
+
+
+@pytest.mark.parametrize("width", [40, 60, 73, 80, 120])
+def test_every_terminal_from_40_columns_shows_the_agents_name_and_every_figure(width: int) -> None:
+    shown = printed("baseline", 3, width)
+    assert max(len(line) for line in shown.splitlines()) <= width
+    for word in ("baseline", "FindObj", "100.0", "Overall", "Partial", "25.0", "Steps", "9.0", "episodes"):
+        assert word in shown
+
+
+def test_a_label_is_shown_as_it_is_told_to_be() -> None:
+    assert "uniteam[/b]" in printed("uniteam[/b]", 3, 100)
 
 
 def test_a_failure_is_explained_by_the_first_thing_missed() -> None:

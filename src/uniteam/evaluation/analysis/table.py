@@ -1,6 +1,7 @@
 """The challenge's table, with what its figures are from."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 from rich.table import Table
 
@@ -16,23 +17,70 @@ PERCENTAGES = {
 }
 """The table's headings and the measures below them, in percent."""
 
+STEPS = "Steps"
+EPISODES = "episodes"
 
-def challenge_table(summaries: Mapping[str, Summary], caption: str) -> Table:
-    """Return the table: a row an agent, each figure over its 95 % interval; `caption` says what it is from."""
+WIDE_ENOUGH = 80
+"""Columns of a terminal that leave room for an agent's name; in a narrower one the measures are the rows."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row's figures, and how many episodes they should be from: where they are from fewer, the row says so."""
+
+    summary: Summary
+    episodes_asked: int
+
+
+def challenge_table(rows: Mapping[str, Row], caption: str, width: int, shown: Callable[[str], str]) -> Table:
+    """Return the table: each figure over its 95 % interval.
+
+    Args:
+        rows: by the agent's label.
+        caption: what the figures are from.
+        width: columns of the terminal; a narrow one gets a table that is narrow and long.
+        shown: makes an agent's label fit to be shown, whatever it contains.
+    """
+    cells = {shown(agent): _cells(row) for agent, row in rows.items()}
+    return _wide(cells, caption) if width >= WIDE_ENOUGH else _narrow(cells, caption)
+
+
+Cells = dict[str, tuple[str, str]]
+"""By heading: a figure, and what stands below it."""
+
+
+def _cells(row: Row) -> Cells:
+    summary, asked = row.summary, row.episodes_asked
+    cells = {heading: _cell(summary.estimates[name], 100.0) for heading, name in PERCENTAGES.items()}
+    cells[STEPS] = _cell(summary.estimates["num_steps"], 1.0)
+    count = summary.episode_count
+    crashed = f"[red]{summary.crash_count} crashed[/]" if summary.crash_count else ""
+    cells[EPISODES] = (str(count) if count == asked else f"{count} of {asked}", crashed)
+    return cells
+
+
+def _cell(estimate: Estimate, scale: float) -> tuple[str, str]:
+    low, high = estimate.low * scale, estimate.high * scale
+    return f"[bold]{estimate.mean * scale:.1f}[/]", f"[dim]{low:.0f}–{high:.0f}[/]"
+
+
+def _wide(rows: Mapping[str, Cells], caption: str) -> Table:
     table = Table(caption=caption, caption_justify="left", pad_edge=False)
     table.add_column("agent", overflow="fold")
-    for heading in PERCENTAGES:
+    for heading in (*PERCENTAGES, STEPS, EPISODES):
         table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("Steps", justify="right", no_wrap=True)
-    table.add_column("episodes", justify="right", no_wrap=True)
-    for agent, summary in summaries.items():
-        cells = [_cell(summary.estimates[name], 100.0) for name in PERCENTAGES.values()]
-        crashed = f"\n[red]{summary.crash_count} crashed[/]" if summary.crash_count else ""
-        steps = _cell(summary.estimates["num_steps"], 1.0)
-        table.add_row(f"[bold]{agent}[/]", *cells, steps, f"{summary.episode_count}{crashed}")
+    for agent, row in rows.items():
+        table.add_row(f"[bold]{agent}[/]", *("\n".join(filter(None, cell)) for cell in row.values()))
     return table
 
 
-def _cell(estimate: Estimate, scale: float) -> str:
-    low, high = estimate.low * scale, estimate.high * scale
-    return f"[bold]{estimate.mean * scale:.1f}[/]\n[dim]{low:.0f}–{high:.0f}[/]"
+def _narrow(rows: Mapping[str, Cells], caption: str) -> Table:
+    """Return a table of two columns: an agent's name stands above its measures."""
+    table = Table(caption=caption, caption_justify="left", pad_edge=False)
+    table.add_column("agent", overflow="fold")
+    table.add_column("mean, interval", overflow="fold", justify="right")
+    for agent, row in rows.items():
+        table.add_row(f"[bold]{agent}[/]", "")
+        for number, (heading, cell) in enumerate(row.items(), start=1):
+            table.add_row(f" {heading}", " ".join(filter(None, cell)), end_section=number == len(row))
+    return table

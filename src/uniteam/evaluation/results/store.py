@@ -1,122 +1,139 @@
 """A run's directory: the resolved configuration, one line of results an episode, and the summary.
 
-`config.json` says what was run, `results.jsonl` grows by a line as each episode ends, `summary.json` is written at the
-end. A directory can be taken up again by the same configuration, and further agents may join it; anything else that
-differs is refused, so that figures of different runs never mix.
+`config.json` says what was run, `results.jsonl` grows by a line as each episode ends, `lost.jsonl` by one for each
+episode that came to nothing by no fault of the agent (it counts for nothing and is played again), and `summary.json` is
+written at the end. A directory can be taken up again by the same configuration, and further agents may join it;
+anything else that differs is refused, so that figures of different runs never mix. A row that occurs twice counts once,
+with a word in the log; rows that contradict each other, or belong to no episode or agent of the run, are refused.
 """
 
 import json
-from collections.abc import Mapping
+import logging
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
 
 from uniteam.errors import DamagedFileError, InvalidInputError
+from uniteam.evaluation.results.journal import Journal
+from uniteam.evaluation.results.lock import FolderLock
 from uniteam.evaluation.results.result import EpisodeResult, result_from_line, result_to_line
+from uniteam.files import try_folder, write_whole
 
 Results = dict[str, dict[str, EpisodeResult]]
 """By agent, then by episode, in the order in which they ended."""
 
+_log = logging.getLogger(__name__)
+
 
 class ResultStore:
-    """The results in one directory."""
+    """The results in one directory, which no other process can write into until `close`."""
 
-    def __init__(self, directory: Path, configuration: Mapping[str, Any]) -> None:
+    def __init__(self, directory: Path, configuration: Mapping[str, Any], episodes: Collection[str]) -> None:
         """Begin or take up a run.
 
         Args:
             directory: made where it does not exist.
             configuration: plain JSON data; `agents` maps each agent's label to its own resolved configuration.
+            episodes: ids of every episode that there can be results of.
 
         Raises:
             InvalidInputError: the directory holds results of another configuration.
             DamagedFileError: the directory's files cannot be read.
+            UnwritableError: they cannot be written.
+            FolderInUseError: another run writes into it.
         """
         self.directory = directory
-        self._lines = directory / "results.jsonl"
-        recorded = _read_configuration(directory / "config.json")
-        _check_same(directory, recorded, _plain(configuration))
+        try_folder(directory)
+        self._lock = FolderLock(directory)
+        try:
+            self._open(configuration, episodes)
+        except BaseException:
+            self.close()
+            raise
+
+    def _open(self, configuration: Mapping[str, Any], episodes: Collection[str]) -> None:
+        path = self.directory / "config.json"
+        recorded = _read_configuration(path)
+        _check_same(self.directory, recorded, configuration)
         agents = {**recorded.get("agents", {}), **configuration["agents"]}
-        self.results = _read_results(self._lines, agents)
-        directory.mkdir(parents=True, exist_ok=True)
-        _write(directory / "config.json", {**configuration, "agents": agents})
+        self._journal = Journal(self.directory / "results.jsonl")
+        if self._journal.lines and not recorded:
+            raise DamagedFileError(f"{path} is missing beside results, so nobody knows what they are of; {_REMEDY}")
+        self.results = _read_results(self._journal, agents, episodes)
+        self._lost = Journal(self.directory / "lost.jsonl")
+        if recorded != {**configuration, "agents": agents}:
+            self._write("config.json", {**configuration, "agents": agents})
 
     def append(self, agent: str, result: EpisodeResult) -> None:
-        """Record an episode's result; it is on disk when this returns."""
+        """Record an episode's result; it is on the disk when this returns, or raises UnwritableError."""
+        self._journal.append(result_to_line(agent, result))
         self.results.setdefault(agent, {})[result.episode] = result
-        with self._lines.open("a", encoding="utf-8") as file:
-            file.write(result_to_line(agent, result))
+
+    def record_lost(self, agent: str, episode: str, reason: str, traceback: str) -> None:
+        """Keep why an episode came to nothing; it has no result."""
+        entry = {"agent": agent, "episode": episode, "reason": reason, "traceback": traceback}
+        self._lost.append(json.dumps(entry) + "\n")
 
     def write_summary(self, summary: Mapping[str, Any]) -> None:
-        """Write `summary.json`."""
-        _write(self.directory / "summary.json", summary)
+        """Write `summary.json`; raises UnwritableError."""
+        self._write("summary.json", summary)
+
+    def close(self) -> None:
+        """Let other processes have the directory."""
+        self._lock.release()
+
+    def _write(self, name: str, data: Mapping[str, Any]) -> None:
+        write_whole(self.directory / name, (json.dumps(data, indent=2) + "\n").encode())
 
 
-def _plain(data: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the data as it comes back from JSON (tuples as lists)."""
-    plain: dict[str, Any] = json.loads(json.dumps(data))
-    return plain
-
-
-def _write(path: Path, data: Mapping[str, Any]) -> None:
-    partial = path.with_name(path.name + ".partial")
-    partial.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
-    partial.replace(path)
+_REMEDY = "choose another directory with --out, or remove this one"
 
 
 def _read_configuration(path: Path) -> dict[str, Any]:
     if not path.exists():
         return {}
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(path.read_bytes())
         if not isinstance(data, dict) or not isinstance(data.get("agents"), dict):
             raise ValueError("it is not the configuration of a run")
-    except (OSError, ValueError) as error:
-        raise DamagedFileError(
-            f"{path} cannot be read ({error}); remove the directory {path.parent} or choose another with --out"
-        ) from error
+    except (OSError, ValueError, RecursionError) as error:
+        raise DamagedFileError(f"{path} cannot be read ({error}); {_REMEDY}") from error
     return data
 
 
-def _read_results(path: Path, agents: Mapping[str, Any]) -> Results:
-    """Read the results and cut off a last line that was not written to its end."""
+def _read_results(journal: Journal, agents: Collection[str], episodes: Collection[str]) -> Results:
     results: Results = {}
-    if not path.exists():
-        return results
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, ValueError) as error:
-        raise DamagedFileError(_damaged_message(path, str(error))) from error
-    whole = text[: text.rfind("\n") + 1]
-    for number, line in enumerate(whole.splitlines(), start=1):
+    for number, line in enumerate(journal.lines, start=1):
         try:
             agent, result = result_from_line(line)
+            if agent not in agents:
+                raise DamagedFileError(f"of agent '{agent}', unknown to config.json")
+            if result.episode not in episodes:
+                raise DamagedFileError(f"of episode '{result.episode}', unknown to the split")
+            first = results.setdefault(agent, {}).setdefault(result.episode, result)
+            if first.measures != result.measures:
+                raise DamagedFileError(f"a second result of {agent}'s episode '{result.episode}', and another one")
         except DamagedFileError as error:
-            raise DamagedFileError(_damaged_message(path, f"line {number} is {error}")) from error
-        if agent not in agents:
             raise DamagedFileError(
-                _damaged_message(path, f"line {number} is of agent '{agent}', unknown to config.json")
-            )
-        results.setdefault(agent, {})[result.episode] = result
-    if whole != text:
-        path.write_text(whole, encoding="utf-8")
+                f"the results {journal.path} are damaged (line {number} is {error}); "
+                "remove that line to play its episode again, or choose another --out"
+            ) from error
+        if first is not result:
+            _log.warning("line %d of %s repeats a result and is not counted again", number, journal.path)
     return results
-
-
-def _damaged_message(path: Path, what: str) -> str:
-    return (
-        f"the results {path} are damaged ({what}); remove that line to play its episode again, or choose another --out"
-    )
 
 
 def _check_same(directory: Path, recorded: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
     if not recorded:
         return
     shared = {agent: own for agent, own in wanted["agents"].items() if agent in recorded["agents"]}
-    differences = _differences(recorded, {**wanted, "agents": {**recorded["agents"], **shared}})
+    try:
+        differences = _differences(recorded, {**wanted, "agents": {**recorded["agents"], **shared}})
+    except RecursionError:
+        differences = ["config.json is nested too deeply"]
     if differences:
         raise InvalidInputError(
-            f"{directory} holds results of another configuration ({'; '.join(differences[:5])}); "
-            f"choose another directory with --out, or remove this one"
+            f"{directory} holds results of another configuration ({'; '.join(differences[:5])}); {_REMEDY}"
         )
 
 
@@ -129,7 +146,9 @@ def _differences(recorded: Any, wanted: Any, path: str = "") -> list[str]:
             for key in keys
         )
         return [phrase for phrases in nested for phrase in phrases]
-    return [] if recorded == wanted else [f"{path} was {_shown(recorded)} and is now {_shown(wanted)}"]
+    if type(recorded) is type(wanted) and recorded == wanted:
+        return []
+    return [f"{path} was {_shown(recorded)} and is now {_shown(wanted)}"]
 
 
 def _shown(value: Any) -> str:

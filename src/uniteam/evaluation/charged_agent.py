@@ -1,0 +1,39 @@
+"""An agent on the clock: its time and its exceptions are told from those of the world around it."""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from uniteam.evaluation.backends.serving import Charging
+from uniteam.interface import Agent, Decision, Instruction, Observation
+
+Value = TypeVar("Value")
+
+
+class AgentError(Exception):
+    """What an agent raised, in `__cause__`; everything else that is raised in an episode is the world's."""
+
+
+class ChargedAgent:
+    """Passes everything on to an agent."""
+
+    def __init__(self, make: Callable[[], Agent], charging: Charging) -> None:
+        """Make the agent; raises AgentError."""
+        self._charging = charging
+        self._agent = self._do(make)
+
+    def reset(self, instruction: Instruction, seed: int) -> None:
+        """Begin an episode; raises AgentError."""
+        self._do(lambda: self._agent.reset(instruction, seed))
+
+    def act(self, observation: Observation) -> Decision:
+        """Return the decision; raises AgentError."""
+        return self._do(lambda: self._agent.act(observation))
+
+    def _do(self, call: Callable[[], Value]) -> Value:
+        with self._charging():
+            try:
+                return call()
+            except MemoryError:  # the machine's, not the agent's
+                raise
+            except (Exception, SystemExit) as error:
+                raise AgentError from error

@@ -1,0 +1,107 @@
+"""Everything that results depend on, as plain JSON data: what is written beside them, and what must not change."""
+
+import json
+import platform
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from hashlib import sha256
+from importlib.metadata import version
+from itertools import chain
+from pathlib import Path
+from typing import Any
+
+import uniteam
+from uniteam.errors import UnknownNameError
+from uniteam.evaluation.agent_spec import AgentSpec
+from uniteam.world.assets.catalogue import PACK_DIRECTORY
+from uniteam.world.task.splits import SPLIT_DIRECTORY, SPLIT_NAMES, SUFFIX
+
+PACKAGES = ("numpy", "numba", "llvmlite", "mujoco", "opencv-python-headless")
+"""Other packages whose version can change a figure in its last bits, and so an episode."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """What to evaluate.
+
+    Attributes:
+        split: a built-in split's name or a split file's path.
+        agents: by the label they have in the results.
+        perception: the kind of perception that the agents see with.
+        camera: "half" or "full".
+        episode_count: how many episodes to play; None for all of the split.
+        episode_seconds: how long an episode may take.
+    """
+
+    split: str
+    agents: Mapping[str, AgentSpec]
+    perception: str
+    camera: str
+    episode_count: int | None = None
+    episode_seconds: float = 3600.0
+
+
+def resolve(run: Run) -> dict[str, Any]:
+    """Return the configuration of a run; two runs with equal ones have equal results.
+
+    Raises:
+        UnknownNameError: an unknown split, agent, perception or improvement.
+    """
+    split = _split_path(run.split)
+    configuration = {
+        "version": uniteam.__version__,
+        "code": source_digest(),
+        "split": split.name.removesuffix(".gz").removesuffix(".jsonl"),
+        "split_digest": _digest([split]),
+        "models_digest": pack_digest(),
+        "software": software(),
+        "perception": run.perception,
+        "camera": run.camera,
+        "episode_seconds": run.episode_seconds,
+        "agents": {label: spec.describe() for label, spec in run.agents.items()},
+    }
+    plain: dict[str, Any] = json.loads(json.dumps(configuration))  # tuples are lists, as they will be read back
+    return plain
+
+
+def software() -> dict[str, str]:
+    """Return the versions, and the processor that is compiled for: on another one frames differ in their last bits."""
+    from llvmlite import binding
+    from numba import config
+
+    name, features, is_off = (getattr(config, option) for option in ("CPU_NAME", "CPU_FEATURES", "DISABLE_JIT"))
+    return {
+        "python": platform.python_version(),
+        **{package: version(package) for package in PACKAGES},
+        "platform": f"{platform.system()} {platform.machine()}",
+        "cpu": name or binding.get_host_cpu_name(),
+        "cpu_features": sha256((features or binding.get_host_cpu_features().flatten()).encode()).hexdigest()[:12],
+        "compiled": "no" if is_off else "yes",
+    }
+
+
+def source_digest() -> str:
+    """Return a digest of the source of world, mind and what plays episodes: other code has other results."""
+    root = Path(uniteam.__file__).parent
+    folders = chain((root / "world").rglob("*.py"), (root / "mind").rglob("*.py"), (root / "evaluation").glob("*.py"))
+    return _digest(chain(root.glob("*.py"), folders))
+
+
+def pack_digest() -> str:
+    """Return a digest of the models, textures and catalogues of the pack."""
+    return _digest(path for path in PACK_DIRECTORY.rglob("*") if path.is_file() and path.suffix != ".md")
+
+
+def _split_path(split: str) -> Path:
+    path = SPLIT_DIRECTORY / f"{split}{SUFFIX}" if split in SPLIT_NAMES else Path(split)
+    if not path.is_file():
+        raise UnknownNameError("split or episode file", split, SPLIT_NAMES)
+    return path
+
+
+def _digest(paths: Iterable[Path]) -> str:
+    """Return a digest of files' contents in the order of their paths, each content apart from the next."""
+    together = sha256()
+    for path in sorted(paths):
+        together.update(sha256(path.read_bytes()).digest())
+    return together.hexdigest()[:12]
