@@ -24,7 +24,7 @@ def cache_folder() -> tuple[Path, bool]:
     """Return the folder of the compiled kernels, and whether it lasts."""
     chosen = os.environ.get(VARIABLE)
     if chosen:
-        return Path(chosen), chosen != _temporary_name()
+        return Path(chosen), not chosen.startswith(_temporary_prefix())
     return (_beside_source() if _can_write(_beside_source()) else _user_cache()), True
 
 
@@ -63,20 +63,20 @@ def _temporary_folder() -> str:
     """
     import tempfile
 
-    name = _temporary_name()
+    name = f"{_temporary_prefix()}{_user()}"
     try:
         Path(name).mkdir(mode=0o700, exist_ok=True)
         found = os.lstat(name)
         own = stat.S_ISDIR(found.st_mode) and found.st_uid == _user() and not found.st_mode & 0o077
     except OSError:
         own = False
-    return name if own else tempfile.mkdtemp(prefix="uniteam-kernels-")
+    return name if own else tempfile.mkdtemp(prefix=f"{Path(name).name}-")
 
 
-def _temporary_name() -> str:
+def _temporary_prefix() -> str:
     import tempfile
 
-    return str(Path(tempfile.gettempdir()) / f"uniteam-kernels-{_user()}")
+    return str(Path(tempfile.gettempdir()) / "uniteam-kernels-")
 
 
 def _user() -> int:

@@ -1,13 +1,9 @@
-"""The panel and the film: what they show can be found in their pixels."""
+"""The panel: what it shows can be found in its pixels."""
 
-from pathlib import Path
-
-import cv2
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from uniteam.errors import InvalidInputError
 from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import (
@@ -29,7 +25,6 @@ from uniteam.visualization.colors import BACKGROUND, GOAL_RECEPTACLE, MAP_COLORS
 from uniteam.visualization.map_view import draw_map
 from uniteam.visualization.panel import HEIGHT, WIDTH, PanelContent, draw_panel
 from uniteam.visualization.segmentation_view import draw_segmentation
-from uniteam.visualization.video import VideoWriter
 from uniteam.world.task.measures import Measures
 
 INSTRUCTION = Instruction("toy_car", "table", "chest_of_drawers")
@@ -138,28 +133,6 @@ def test_a_panel_of_an_agent_without_map_and_perception_is_drawn_too() -> None:
     plain = Step(step().observation, Decision(DiscreteAction.STOP, "RANDOM", "The dice."), Measures())
     panel = draw_panel(PanelContent("random", INSTRUCTION, plain, None, [], np.zeros((322, 592, 3), np.uint8)))
     assert count(panel, SUCCESS) == 0
-
-
-def test_a_film_plays_back_as_it_was_written(tmp_path: Path) -> None:
-    path = tmp_path / "deep" / "film.mp4"
-    video = VideoWriter(path, 320, 240, frames_per_second=10)
-    for level in (40, 120, 200):
-        video.add(np.full((240, 320, 3), (level, 0, 255 - level), np.uint8), repeat=2)
-    video.close()
-    capture = cv2.VideoCapture(str(path))
-    frames = [frame for ok, frame in iter(capture.read, (False, None)) if ok]
-    assert len(frames) == 6
-    assert capture.get(cv2.CAP_PROP_FPS) == 10
-    for frame, level in zip(frames[::2], (40, 120, 200), strict=True):
-        assert frame[120, 160, ::-1].astype(int) == pytest.approx([level, 0, 255 - level], abs=12)
-
-
-def test_a_film_of_another_kind_or_place_is_refused_in_words(tmp_path: Path) -> None:
-    with pytest.raises(InvalidInputError, match=r"film\.mp4"):
-        VideoWriter(tmp_path / "film.avi", 320, 240)
-    (tmp_path / "file").touch()
-    with pytest.raises(InvalidInputError, match="cannot be written"):
-        VideoWriter(tmp_path / "file" / "film.mp4", 320, 240)
 
 
 def test_actions_are_described_in_metres_and_degrees() -> None:

@@ -8,18 +8,21 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
 from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
-from rich.console import Console
-from rich.markup import escape
+from rich.progress import Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 
 import uniteam
+from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import UniteamError
+from uniteam.kernel_cache import VARIABLE, cache_folder
 
 OLDEST_PYTHON = (3, 11)
-PACKAGES = ("numpy", "numba", "mujoco", "opencv-python-headless", "tyro", "rich")
+PACKAGES = ("numpy", "numba", "mujoco", "opencv-python-headless", "av", "tyro", "rich")
 SMALLEST_MEMORY = 3.0
-"""GB: two workers and the system."""
+"""GB: two workers and what else there is."""
 
 
 @dataclass(frozen=True)
@@ -31,17 +34,24 @@ class Finding:
 
 
 def doctor() -> None:
-    """Check Python, the packages, the machine, the models, the splits and the camera, and say what is missing."""
-    console = Console()
+    """Check Python, the packages, the machine, the models, the splits, the camera and films, and say what is missing.
+
+    The first time on a machine, the camera's kernels are compiled, which takes a minute.
+    """
+    console = make_console()
     table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
     advice = []
-    for name, check in CHECKS.items():
-        finding = _find(check)
-        table.add_row("[red]fault[/]" if finding.advice else "[green]ok[/]", f"[bold]{name}[/]", escape(finding.text))
-        advice += [f"{name}: {finding.advice}"] if finding.advice else []
+    with Progress(SpinnerColumn(), TextColumn("{task.description}"), console=console, transient=True) as progress:
+        bar = progress.add_task("")
+        for name, check in CHECKS.items():
+            progress.update(bar, description=f"checking: {name}")
+            finding = _find(check)
+            mark = "[red]fault[/]" if finding.advice else "[green]ok[/]"
+            table.add_row(mark, f"[bold]{name}[/]", shown(finding.text))
+            advice += [f"{name}: {finding.advice}"] if finding.advice else []
     console.print(table)
     for sentence in advice:
-        console.print(f"\n[red]{escape(sentence)}[/]", highlight=False)
+        console.print(f"\n[red]{shown(sentence)}[/]", soft_wrap=True)
     if advice:
         raise UniteamError(f"{len(advice)} of {len(CHECKS)} checks found a fault; what to do is said above")
     console.print("\nEverything is in place. Begin with [bold]uniteam evaluate[/].")
@@ -73,9 +83,20 @@ def _packages() -> Finding:
 
 
 def _machine() -> Finding:
-    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e9
-    advice = "" if memory >= SMALLEST_MEMORY else "with little memory, evaluate with --workers 1"
-    return Finding(f"{os.cpu_count()} cores, {memory:.1f} GB of memory", advice)
+    from uniteam.evaluation.backends.capacity import allowed_cores, free_memory
+
+    memory = free_memory() / 1e9
+    advice = "" if memory >= SMALLEST_MEMORY else "with little memory free, evaluate with --workers 1"
+    return Finding(
+        f"{allowed_cores()} of {os.cpu_count()} cores may be used, {memory:.1f} GB of memory are free", advice
+    )
+
+
+def _kernels() -> Finding:
+    """Say where what numba compiles is kept; where nothing else can be written, that is a folder that does not last."""
+    folder, lasts = cache_folder()
+    cure = "" if lasts else f"; set {VARIABLE} to a folder that lasts, or everything is compiled anew after a restart"
+    return Finding(f"compiled kernels are kept in {folder}{cure}")
 
 
 def _pack() -> Finding:
@@ -109,6 +130,23 @@ def _camera() -> Finding:
     return Finding(f"one frame rendered, checksum {digest}")
 
 
+def _films() -> Finding:
+    """Write a film and read it back."""
+    import av
+    import numpy as np
+
+    from uniteam.visualization.video import VideoWriter
+
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "film.mp4"
+        video = VideoWriter(path, 64, 64)
+        video.add(np.zeros((64, 64, 3), np.uint8), repeat=3)
+        video.close()
+        with av.open(str(path)) as film:
+            codec = film.streams.video[0].codec_context.name
+    return Finding(f"written as MP4 ({codec}), which browsers play")
+
+
 def _opengl() -> Finding:
     """Nothing but the comparison with MuJoCo's renderer needs OpenGL, so its absence is no fault."""
     from uniteam.world.rendering.mujoco_reference import BACKENDS
@@ -130,8 +168,10 @@ CHECKS: dict[str, Callable[[], Finding]] = {
     "Python": _python,
     "packages": _packages,
     "machine": _machine,
+    "kernels": _kernels,
     "models": _pack,
     "splits": _splits,
     "camera": _camera,
+    "films": _films,
     "OpenGL": _opengl,
 }

@@ -187,10 +187,11 @@ def _rows(evaluation: Evaluation, breakdown: bool) -> dict[str, Row]:
 
 
 def _caption(evaluation: Evaluation) -> str:
-    run = evaluation.run
+    run, count = evaluation.run, len(evaluation.wanted)
+    episodes = f"{count} episode{'' if count == 1 else 's'}"
     words = (
         f"Percent, steps: mean over 95 % interval. Split {evaluation.split.name}, perception {run.perception}, "
-        f"camera {run.camera}, {len(evaluation.wanted)} episodes, uniteam {uniteam.__version__}."
+        f"camera {run.camera}, {episodes}, uniteam {uniteam.__version__}."
     )
     return shown(words)
 

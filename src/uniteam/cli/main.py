@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from importlib import import_module
 from inspect import cleandoc
+from types import ModuleType
 from typing import NoReturn
 
 from rich.console import Console
@@ -130,11 +131,21 @@ def _dispatch(given: list[str]) -> int:
 def _call(name: str, arguments: list[str]) -> int:
     import tyro
 
-    function: Callable[..., None] = getattr(import_module(f"uniteam.cli.{name}"), name)
+    function: Callable[..., None] = getattr(_load(name), name)
     summary = cleandoc(function.__doc__ or "").split("\n\nArgs:")[0]
     description = f"{summary}\n\nExample: {COMMANDS[name].example}"
     tyro.cli(function, prog=f"uniteam {name}", description=description, args=arguments)
     return 0
+
+
+def _load(name: str) -> ModuleType:
+    """Import a command's module, and what it needs."""
+    try:
+        return import_module(f"uniteam.cli.{name}")
+    except Exception as error:  # a package is missing or broken, or finds something in the environment that it refuses
+        raise UniteamError(
+            f"what '{name}' needs cannot be imported ({type(error).__name__}: {error}); mend that, or reinstall uniteam"
+        ) from error
 
 
 def _import_from_here() -> None:
