@@ -10,13 +10,14 @@ from uniteam.interface import Action, BaseDisplacement, Decision, DiscreteAction
 from uniteam.visualization.narration import Narrator
 from uniteam.world.task.measures import Measures
 
+NOTHING = Measures()
 CAMERA = PinholeCamera.from_horizontal_fov(4, 6, 1.0)
 
 
-def step(number: int, x: float, action: Action, state: str = "FIND_OBJECT", **measures: int) -> Step:
+def step(number: int, x: float, action: Action, state: str = "FIND_OBJECT", measures: Measures = NOTHING) -> Step:
     rgb, depth = np.zeros((6, 4, 3), np.uint8), np.zeros((6, 4), np.float32)
     seen = Observation(rgb, depth, CAMERA, np.eye(4), BasePose(x, 0.0, 0.0), Joints(0.8, 0.0), False, number)
-    return Step(seen, Decision(action, state, "Because."), Measures(num_steps=number + 1, **measures))
+    return Step(seen, Decision(action, state, "Because."), replace(measures, num_steps=number + 1))
 
 
 def told(*steps: Step) -> list[tuple[int, str, str]]:
@@ -46,8 +47,9 @@ def test_turning_on_the_spot_is_no_blocked_drive() -> None:
 
 
 def test_a_grasp_a_measure_and_a_collision_are_told_when_they_happen() -> None:
-    snap = step(1, 0.0, DiscreteAction.SNAP_OBJECT, pick_object_phase_success=True, find_object_phase_success=True)
-    after = step(2, 0.0, DiscreteAction.NAVIGATION_MODE, robot_scene_colls=1, **_phases(snap.measures))
+    picked = Measures(find_object_phase_success=True, pick_object_phase_success=True)
+    snap = step(1, 0.0, DiscreteAction.SNAP_OBJECT, measures=picked)
+    after = step(2, 0.0, DiscreteAction.NAVIGATION_MODE, measures=replace(picked, robot_scene_colls=1))
     held = replace(after, observation=replace(after.observation, is_holding=True))
     assert told(step(0, 0.0, DiscreteAction.TURN_LEFT), snap, held)[1:] == [
         (1, "action", "snap object: Because."),
@@ -56,10 +58,3 @@ def test_a_grasp_a_measure_and_a_collision_are_told_when_they_happen() -> None:
         (2, "success", "The gripper holds something."),
         (2, "trouble", "Arm, gripper or load touched the scene."),
     ]
-
-
-def _phases(measures: Measures) -> dict[str, bool]:
-    return {
-        "find_object_phase_success": measures.find_object_phase_success,
-        "pick_object_phase_success": measures.pick_object_phase_success,
-    }

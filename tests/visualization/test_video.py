@@ -25,7 +25,7 @@ def colored(level: int) -> NDArray[np.uint8]:
 def frames(path: Path) -> list[NDArray[np.uint8]]:
     """Return the frames that OpenCV reads, RGB."""
     capture = cv2.VideoCapture(str(path))
-    return [frame[..., ::-1] for ok, frame in iter(capture.read, (False, None)) if ok]
+    return [np.asarray(frame[..., ::-1], np.uint8) for ok, frame in iter(capture.read, (False, None)) if ok]
 
 
 def boxes(path: Path) -> list[str]:

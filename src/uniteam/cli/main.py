@@ -9,6 +9,7 @@ from importlib import import_module
 from inspect import cleandoc
 from types import ModuleType
 from typing import NoReturn
+from unicodedata import category
 
 from rich.console import Console
 
@@ -21,7 +22,7 @@ from uniteam.cli.terminal import (
     shown,
     write_what_can_be_written,
 )
-from uniteam.errors import UniteamError, UnknownNameError
+from uniteam.errors import InvalidInputError, UniteamError, UnknownNameError
 from uniteam.kernel_cache import check_environment
 
 
@@ -125,6 +126,9 @@ def _dispatch(given: list[str]) -> int:
     name, *rest = given
     if name not in COMMANDS:
         raise UnknownNameError("command", name, COMMANDS)
+    for argument in rest:
+        if any(category(character) == "Cc" for character in argument):
+            raise InvalidInputError(f"'{argument}' holds a control character; leave it out")
     return _call(name, rest)
 
 

@@ -8,7 +8,8 @@ from time import perf_counter
 import cv2
 
 from uniteam.evaluation.agent_spec import AgentSpec
-from uniteam.evaluation.episode_loop import peak_memory, play_episode
+from uniteam.evaluation.episode_loop import play_episode
+from uniteam.evaluation.memory import peak_memory
 from uniteam.evaluation.warm_up import warm_up
 from uniteam.interface import DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF

@@ -1,13 +1,12 @@
 """Play one episode: the loop that joins an environment of the world with an agent of the mind."""
 
-import resource
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from time import perf_counter
 from traceback import format_exception
 from typing import Protocol
 
+from uniteam.evaluation.memory import peak_memory
 from uniteam.evaluation.results.failure_cause import explain_failure
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.interface import Action, Agent, Decision, Observation
@@ -96,9 +95,3 @@ def result_of_exception(episode: Episode, error: BaseException, steps: int) -> E
     """Return the result of an episode that ended in an exception after `steps` steps."""
     failure = f"crashed after {steps} steps with {type(error).__name__}: {error}"
     return crashed_result(episode, failure, "".join(format_exception(error)), steps)
-
-
-def peak_memory() -> float:
-    """Return the largest resident memory of this process so far (MB)."""
-    unit = 1 if sys.platform == "darwin" else 1024  # macOS counts bytes, Linux kilobytes
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit / 1e6
