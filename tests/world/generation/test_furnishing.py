@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 
 from uniteam.world.assets.catalogue import Box, Catalogue, Model, Role, SupportSurface
-from uniteam.world.generation.furniture import hanging
-from uniteam.world.generation.furniture import standing as placing
+from uniteam.world.generation.furniture import hanging, standing
 from uniteam.world.generation.furniture.doors import fitting_leaves, open_leaves
-from uniteam.world.generation.furniture.placement import Placement, Site
+from uniteam.world.generation.furniture.piece import Piece, Site
 from uniteam.world.generation.furniture.room_floor import Volume
-from uniteam.world.generation.furniture.rules import Placing
+from uniteam.world.generation.furniture.rules import Arrangement
 from uniteam.world.generation.objects.scatter import scatter
 from uniteam.world.generation.objects.stock import ObjectStock
 from uniteam.world.generation.plan.floor_plan import PlannedRoom
@@ -32,12 +31,12 @@ def model(width: float, depth: float, height: float, role: Role = "receptacle", 
     )  # fmt: skip
 
 
-def site(anchor: Placement | None = None, seed: int = 0) -> Site:
+def site(anchor: Piece | None = None, seed: int = 0) -> Site:
     window = Volume(Rect(150, 369, 300, 419), 90, 210)
     return Site(ROOM, 250, (window,), anchor, np.random.default_rng(seed))
 
 
-def gap_behind(piece: Placement) -> int:
+def gap_behind(piece: Piece) -> int:
     """Return the distance (cm) from a piece's back to the wall behind it."""
     dx, dy = piece.front
     rect = piece.rect
@@ -46,8 +45,8 @@ def gap_behind(piece: Placement) -> int:
     return rect.y0 - ROOM.y0 if dy > 0 else ROOM.y1 - rect.y1
 
 
-@pytest.mark.parametrize("place", [placing.against_wall, placing.in_corner, placing.mid_wall])
-def test_what_stands_at_a_wall_turns_its_back_to_it(place: Placing) -> None:
+@pytest.mark.parametrize("place", [standing.against_wall, standing.in_corner, standing.mid_wall])
+def test_what_stands_at_a_wall_turns_its_back_to_it(place: Arrangement) -> None:
     proposals = list(place(site(), model(1.2, 0.5, 0.8)))
     assert {piece.quarters for piece in proposals} == {0, 1, 2, 3}
     assert all(0 <= gap_behind(piece) <= 3 for piece in proposals)
@@ -56,15 +55,15 @@ def test_what_stands_at_a_wall_turns_its_back_to_it(place: Placing) -> None:
 
 def test_the_corner_comes_first_or_last() -> None:
     wardrobe = model(1.0, 0.6, 2.0)
-    first, *_, last = placing.in_corner(site(), wardrobe)
+    first, *_, last = standing.in_corner(site(), wardrobe)
     assert min(abs(first.rect.x0 - ROOM.x0), abs(ROOM.x1 - first.rect.x1)) <= 3
     assert min(abs(last.rect.x0 - ROOM.x0), abs(ROOM.x1 - last.rect.x1)) > 100
 
 
 @pytest.mark.parametrize("quarters", range(4))
 def test_chairs_stand_around_a_table_and_face_it(quarters: int) -> None:
-    table = Placement(model(1.6, 0.9, 0.75), 250, 200, quarters)
-    chairs = list(placing.around(site(table), model(0.45, 0.5, 0.9)))
+    table = Piece(model(1.6, 0.9, 0.75), 250, 200, quarters)
+    chairs = list(standing.around(site(table), model(0.45, 0.5, 0.9)))
     assert len(chairs) == 2 * 2 + 2 * 1
     for chair in chairs:
         towards = np.array([table.x - chair.x, table.y - chair.y])
@@ -76,19 +75,19 @@ def test_chairs_stand_around_a_table_and_face_it(quarters: int) -> None:
 
 @pytest.mark.parametrize("quarters", range(4))
 def test_a_coffee_table_stands_in_front_of_its_couch_and_an_armchair_faces_it(quarters: int) -> None:
-    couch = Placement(model(2.0, 0.9, 0.8), 250, 200, quarters)
-    table = next(placing.before(site(couch), model(1.2, 0.6, 0.45)))
+    couch = Piece(model(2.0, 0.9, 0.8), 250, 200, quarters)
+    table = next(standing.before(site(couch), model(1.2, 0.6, 0.45)))
     offset = np.array([table.x - couch.x, table.y - couch.y])
     assert offset @ couch.front == np.abs(offset).sum()
     assert not table.rect.overlaps(couch.rect)
-    for armchair in placing.facing(site(table), model(0.8, 0.8, 0.9)):
+    for armchair in standing.facing(site(table), model(0.8, 0.8, 0.9)):
         assert np.array([table.x - armchair.x, table.y - armchair.y]) @ armchair.front > 0
 
 
 @pytest.mark.parametrize("quarters", range(4))
 def test_bedside_tables_stand_left_and_right_with_their_backs_in_line(quarters: int) -> None:
-    bed = Placement(model(1.6, 2.1, 0.5), 250, 200, quarters)
-    left, right = placing.beside(site(bed), model(0.45, 0.4, 0.5))
+    bed = Piece(model(1.6, 2.1, 0.5), 250, 200, quarters)
+    left, right = standing.beside(site(bed), model(0.45, 0.4, 0.5))
     assert {left.quarters, right.quarters} == {quarters}
     assert not left.rect.overlaps(bed.rect) and not right.rect.overlaps(bed.rect)
     assert left.rect.grown(10).overlaps(bed.rect) and right.rect.grown(10).overlaps(bed.rect)
@@ -97,14 +96,14 @@ def test_bedside_tables_stand_left_and_right_with_their_backs_in_line(quarters: 
 
 
 def test_a_mirror_hangs_on_the_wall_above_its_sink() -> None:
-    sink = Placement(model(0.6, 0.5, 0.9), 250, 394 - 27, 0)
+    sink = Piece(model(0.6, 0.5, 0.9), 250, 394 - 27, 0)
     mirror = next(hanging.over(site(sink), model(0.6, 0.04, 0.9)))
     assert mirror.volume.bottom >= sink.volume.top
     assert abs(gap_behind(mirror) - gap_behind(sink)) <= 1
 
 
 def test_a_television_stands_on_the_surface_of_its_stand() -> None:
-    stand = Placement(model(1.5, 0.45, 0.487), 250, 30, 2)
+    stand = Piece(model(1.5, 0.45, 0.487), 250, 30, 2)
     television = next(hanging.on_top(site(stand), model(1.1, 0.3, 0.7, "decor", "tv")))
     assert television.z == pytest.approx(48.7)
     assert stand.rect.contains(television.rect)
@@ -129,7 +128,7 @@ def test_a_door_folds_back_beside_its_opening_and_leaves_it_free() -> None:
     ways = list(open_leaves(plan, wall, opening, leaf, np.random.default_rng(0)))
     assert {room for room, _ in ways} == {0, 1}
     passage = wall.stretch(opening, 70)
-    assert not any(placement.rect.overlaps(passage) for _, placement in ways)
+    assert not any(piece.rect.overlaps(passage) for _, piece in ways)
 
 
 def catalogue() -> Catalogue:

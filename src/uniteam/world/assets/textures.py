@@ -15,14 +15,14 @@ from uniteam.world.assets.catalogue import PACK_DIRECTORY
 
 TEXTURE_DIRECTORY = PACK_DIRECTORY / "textures"
 
-Kind = Literal["floor", "wall"]
+TextureKind = Literal["floor", "wall"]
 
 
 @dataclass(frozen=True)
 class Texture:
     """What the pack knows of a texture; `size` is the side (m) of the square that one tile covers."""
 
-    kinds: tuple[Kind, ...]
+    kinds: tuple[TextureKind, ...]
     size: float
     title: str
     source: str
@@ -42,7 +42,7 @@ def load_textures() -> Mapping[str, Texture]:
         raise DamagedFileError(f"the list of textures {path} cannot be read ({error}); reinstall uniteam") from error
 
 
-def texture_names(kind: Kind) -> tuple[str, ...]:
+def texture_names(kind: TextureKind) -> tuple[str, ...]:
     """Return the names of the textures for floors or for walls, sorted."""
     return tuple(name for name, texture in load_textures().items() if kind in texture.kinds)
 

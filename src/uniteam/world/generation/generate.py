@@ -12,7 +12,7 @@ from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import yaw_quaternion
 from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Catalogue, Pool, load_catalogue
 from uniteam.world.generation.furniture.furnishing import FurnishedRoom, FurnitureShop, furnish
-from uniteam.world.generation.furniture.placement import Placement
+from uniteam.world.generation.furniture.piece import Piece
 from uniteam.world.generation.objects.scatter import MIN_OBJECT_COUNT, scatter
 from uniteam.world.generation.objects.settling import settle
 from uniteam.world.generation.objects.stock import ObjectStock
@@ -71,7 +71,7 @@ def _draw_layout(name: str, seed: int, shop: FurnitureShop, rng: Generator) -> H
         return None
     ceiling = int(rng.choice(_CEILINGS))
     rooms = furnish(plan, walls, shop, ceiling, rng)
-    furniture = [_instance(placement, room) for room in rooms for placement in room.placements]
+    furniture = [_instance(piece, room) for room in rooms for piece in room.pieces]
     if not _is_furnished(furniture):
         return None
     return Home(name, build_stage(plan, walls, ceiling, rng), _numbered(furniture), seed)
@@ -84,11 +84,11 @@ def _with_objects(home: Home, stock: ObjectStock, rng: Generator) -> Home:
     return replace(home, instances=_numbered([*home.instances, *objects]))
 
 
-def _instance(placement: Placement, room: FurnishedRoom) -> Instance:
-    degrees = 90 * placement.quarters + placement.degrees
+def _instance(piece: Piece, room: FurnishedRoom) -> Instance:
+    degrees = 90 * piece.quarters + piece.degrees
     w, x, y, z = (round(v, 9) for v in yaw_quaternion(np.radians(degrees)))
-    position = (placement.x / 100, placement.y / 100, round(placement.z / 100, 4))
-    return Instance("", placement.model.id, placement.model.category, False, position, (w, x, y, z), room.room.name)
+    position = (piece.x / 100, piece.y / 100, round(piece.z / 100, 4))
+    return Instance("", piece.model.id, piece.model.category, False, position, (w, x, y, z), room.room.name)
 
 
 def _numbered(instances: Iterable[Instance]) -> tuple[Instance, ...]:

@@ -90,9 +90,9 @@ class NavigableFloor:
 
     def _clearances(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the clearance at (N, 2) points (m, world), bilinear between the cells' centres."""
-        places = (points - self._low) / CELL_SIZE - 0.5
-        corner = np.clip(np.floor(places).astype(int), 0, np.array(self.cells.shape[::-1]) - 2)
-        fx, fy = np.clip(places - corner, 0.0, 1.0).T
+        positions = (points - self._low) / CELL_SIZE - 0.5
+        corner = np.clip(np.floor(positions).astype(int), 0, np.array(self.cells.shape[::-1]) - 2)
+        fx, fy = np.clip(positions - corner, 0.0, 1.0).T
         column, row = corner.T
         below = self.cells[row, column] * (1 - fx) + self.cells[row, column + 1] * fx
         above = self.cells[row + 1, column] * (1 - fx) + self.cells[row + 1, column + 1] * fx

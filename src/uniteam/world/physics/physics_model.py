@@ -115,7 +115,7 @@ class _Builder:
             self._note(instance.name, shape_vertices(shape))
 
     def _add_shape(self, body: Any, name: str, shape: CollisionShape, at: Instance | None) -> None:
-        """Add a shape to a body, at an instance's place or in the body's own frame."""
+        """Add a shape to a body, at an instance's pose or in the body's own frame."""
         to_body = np.eye(4) if at is None else at.model_to_world()
         quaternion = _NO_ROTATION if at is None else np.array(at.quaternion)
         box = _as_box(shape)

@@ -27,7 +27,7 @@ def render(scene: Scene, camera: PinholeCamera, camera_to_world: NDArray[np.floa
     buffers = scene.buffers()
     shape = (camera.height, camera.width)
     workspace = scene.workspace(*shape)
-    rasterise(buffers, _view(camera, camera_to_world), workspace)
+    rasterise(buffers, _projection(camera, camera_to_world), workspace)
     frame = Frame(np.empty((*shape, 3), np.uint8), np.empty(shape, np.float32), np.empty(shape, np.int16))
     shade(buffers, _rays(camera, camera_to_world), workspace, frame.rgb, frame.depth, frame.instances)
     return frame
@@ -37,7 +37,7 @@ def _intrinsics(camera: PinholeCamera) -> NDArray[np.float64]:
     return np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
 
 
-def _view(camera: PinholeCamera, camera_to_world: NDArray[np.floating]) -> NDArray[np.float32]:
+def _projection(camera: PinholeCamera, camera_to_world: NDArray[np.floating]) -> NDArray[np.float32]:
     """Return the (3, 4) transform from the world to pixel coordinates times depth."""
     return (_intrinsics(camera) @ invert_transform(camera_to_world)[:3]).astype(np.float32)
 

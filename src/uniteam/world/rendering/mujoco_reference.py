@@ -65,9 +65,9 @@ def compare_with_mujoco(home: Home, camera: PinholeCamera, poses: Sequence[NDArr
     """
     failures = []
     for backend in (os.environ["MUJOCO_GL"],) if os.environ.get("MUJOCO_GL") else BACKENDS:
-        with ProcessPoolExecutor(1, get_context("spawn"), _choose_backend, (backend,)) as pool:
+        with ProcessPoolExecutor(1, get_context("spawn"), _choose_backend, (backend,)) as executor:
             try:
-                return pool.submit(_compare, home, camera, tuple(poses)).result()
+                return executor.submit(_compare, home, camera, tuple(poses)).result()
             except (OpenGLMissingError, BrokenProcessPool) as error:
                 failures.append(f"{backend}: {error or 'crashed'}")
     raise OpenGLMissingError(
@@ -134,9 +134,9 @@ class _Renderer:
 
     def render(self, camera_to_world: NDArray[np.float64]) -> Frame:
         """Return what the camera sees."""
-        from uniteam.world.rendering.mujoco_reference_model import CAMERA_NAME, place_camera
+        from uniteam.world.rendering.mujoco_reference_model import CAMERA_NAME, set_camera_pose
 
-        place_camera(self._model, camera_to_world)
+        set_camera_pose(self._model, camera_to_world)
         self._mujoco.mj_forward(self._model, self._data)
         self._renderer.update_scene(self._data, camera=CAMERA_NAME)
         rgb = self._renderer.render()

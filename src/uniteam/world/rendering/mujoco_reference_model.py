@@ -41,7 +41,7 @@ def mujoco_model(buffers: SceneBuffers, camera: PinholeCamera, samples: int) -> 
     return spec.compile(), np.array(labels, dtype=np.int16)
 
 
-def place_camera(model: Any, camera_to_world: NDArray[np.floating]) -> None:
+def set_camera_pose(model: Any, camera_to_world: NDArray[np.floating]) -> None:
     """Put the model's camera at a (4, 4) pose whose axes are OpenCV's."""
     model.cam_pos[0] = camera_to_world[:3, 3]
     rotation = np.ascontiguousarray(camera_to_world[:3, :3] @ _OPENGL_AXES, dtype=np.float64)

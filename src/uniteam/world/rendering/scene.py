@@ -11,11 +11,11 @@ from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.mesh import Mesh
 from uniteam.world.homes.home import Home
-from uniteam.world.rendering.kernels.lighting import RoomLight, outdoor_light, place_part, room_light
+from uniteam.world.rendering.kernels.lighting import RoomLight, outdoor_light, pose_part, room_light
 from uniteam.world.rendering.kernels.scene_buffers import SceneBuffers, Workspace
 from uniteam.world.rendering.kernels.texture_atlas import AtlasBuilder, MipCache
 from uniteam.world.rendering.meshes.floor_shade import FloorShade, floor_shade
-from uniteam.world.rendering.meshes.render_mesh import Drawable, load_drawable, make_drawable
+from uniteam.world.rendering.meshes.render_mesh import RenderMesh, load_render_mesh, make_render_mesh
 from uniteam.world.rendering.meshes.stage_mesh import StagePart, room_at, stage_parts
 
 Transform = NDArray[np.float64]
@@ -30,7 +30,7 @@ class _Part:
     """One piece of a scene before it is packed; `room` is None where it takes the light of where it stands."""
 
     name: str
-    drawable: Drawable
+    mesh: RenderMesh
     label: int
     is_stage: bool = False
     is_glowing: bool = False
@@ -57,7 +57,7 @@ class Scene:
         self.home = home
         stage = stage_parts(home.stage)
         entries = _stage_entries(stage) + _instance_entries(home) + _extra_entries(parts or {})
-        self._drawables = tuple(entry.drawable for entry in entries)
+        self._meshes = tuple(entry.mesh for entry in entries)
         self._glowing = tuple(entry.is_glowing for entry in entries)
         self._lights = [room_light(room, home.stage.ceiling_height) for room in home.stage.rooms]
         self._outdoors = outdoor_light(home.stage)
@@ -69,7 +69,7 @@ class Scene:
         self._stale: set[int] = set()
         self._workspaces: dict[tuple[int, int], Workspace] = {}
         for index, part in enumerate(stage):
-            self._place(index, self._outdoors if part.room is None else self._lights[part.room])
+            self._pose_part(index, self._outdoors if part.room is None else self._lights[part.room])
         for instance in home.instances:
             self.move(instance.name, instance.model_to_world())
         self._stale.update(index for name in (parts or {}) for index in self._parts_of[name])
@@ -103,7 +103,7 @@ class Scene:
         """Return the arrays, with every part where it was last moved to."""
         for index in sorted(self._stale):
             if self._buffers.part_visible[index]:
-                self._place(index, self._light_at(index))
+                self._pose_part(index, self._light_at(index))
                 self._stale.discard(index)
         return self._buffers
 
@@ -126,64 +126,64 @@ class Scene:
         room = room_at(self.home.stage, *self._poses[index, :2, 3])
         return self._outdoors if room is None else self._lights[room]
 
-    def _place(self, index: int, light: RoomLight) -> None:
-        buffers, drawable, pose = self._buffers, self._drawables[index], self._poses[index]
+    def _pose_part(self, index: int, light: RoomLight) -> None:
+        buffers, mesh, pose = self._buffers, self._meshes[index], self._poses[index]
         first, last = buffers.part_ranges[index, :2]
-        place_part(
-            drawable.vertices, drawable.normals, pose[:3].astype(np.float32), light.numbers,
+        pose_part(
+            mesh.vertices, mesh.normals, pose[:3].astype(np.float32), light.numbers,
             buffers.vertices[first:last], buffers.light[first:last],
         )  # fmt: skip
         if self._glowing[index]:
             buffers.light[first:last] = 1.0
         else:
             buffers.part_tints[index] = light.tint
-        buffers.part_boxes[index] = _corners(drawable) @ pose[:3, :3].T + pose[:3, 3]
+        buffers.part_boxes[index] = _corners(mesh) @ pose[:3, :3].T + pose[:3, 3]
 
 
 def _stage_entries(stage: tuple[StagePart, ...]) -> list[_Part]:
     return [
-        _Part(p.name, make_drawable(p.mesh, _stage_mips), -1, is_stage=True, is_glowing=p.is_glowing) for p in stage
+        _Part(p.name, make_render_mesh(p.mesh, _stage_mips), -1, is_stage=True, is_glowing=p.is_glowing) for p in stage
     ]
 
 
 def _instance_entries(home: Home) -> list[_Part]:
     catalogue = load_catalogue() if home.instances else None
     return [
-        _Part(instance.name, load_drawable(catalogue[instance.model].path), label)
+        _Part(instance.name, load_render_mesh(catalogue[instance.model].path), label)
         for label, instance in enumerate(home.instances)
         if catalogue is not None
     ]
 
 
 def _extra_entries(parts: Mapping[str, Mesh]) -> list[_Part]:
-    return [_Part(name, make_drawable(mesh), -1) for name, mesh in parts.items()]
+    return [_Part(name, make_render_mesh(mesh), -1) for name, mesh in parts.items()]
 
 
-def _corners(drawable: Drawable) -> NDArray[np.float64]:
+def _corners(mesh: RenderMesh) -> NDArray[np.float64]:
     choice = np.array([[(k >> axis) & 1 for axis in range(3)] for k in range(8)])
-    return np.where(choice == 1, drawable.high.astype(np.float64), drawable.low.astype(np.float64))
+    return np.where(choice == 1, mesh.high.astype(np.float64), mesh.low.astype(np.float64))
 
 
 def _pack(parts: list[_Part], shade: FloorShade) -> SceneBuffers:
-    """Lay the parts' arrays end to end; world vertices and light are filled in when the parts are placed."""
-    drawables = [part.drawable for part in parts]
-    vertex_ends = np.cumsum([len(d.vertices) for d in drawables])
-    triangle_ends = np.cumsum([len(d.triangles) for d in drawables])
+    """Lay the parts' arrays end to end; world vertices and light are filled in when the parts get their poses."""
+    meshes = [part.mesh for part in parts]
+    vertex_ends = np.cumsum([len(d.vertices) for d in meshes])
+    triangle_ends = np.cumsum([len(d.triangles) for d in meshes])
     vertex_starts, triangle_starts = (np.concatenate([[0], ends[:-1]]) for ends in (vertex_ends, triangle_ends))
     atlas = AtlasBuilder()
-    bases, colors, textures = _pack_materials(drawables, atlas)
+    bases, colors, textures = _pack_materials(meshes, atlas)
     packed = atlas.build()
     vertex_count, part_count = int(vertex_ends[-1]), len(parts)
     return SceneBuffers(
         vertices=np.zeros((vertex_count, 3), dtype=np.float32),
         light=np.ones((vertex_count, 2), dtype=np.float32),
-        uvs=np.concatenate([d.uvs for d in drawables]),
-        triangles=np.concatenate([d.triangles + np.int32(s) for d, s in zip(drawables, vertex_starts, strict=True)]),
-        triangle_parts=np.repeat(np.arange(part_count, dtype=np.int32), [len(d.triangles) for d in drawables]),
+        uvs=np.concatenate([d.uvs for d in meshes]),
+        triangles=np.concatenate([d.triangles + np.int32(s) for d, s in zip(meshes, vertex_starts, strict=True)]),
+        triangle_parts=np.repeat(np.arange(part_count, dtype=np.int32), [len(d.triangles) for d in meshes]),
         triangle_materials=np.concatenate(
-            [d.triangle_materials + np.int32(b) for d, b in zip(drawables, bases, strict=True)]
+            [d.triangle_materials + np.int32(b) for d, b in zip(meshes, bases, strict=True)]
         ),
-        texel_areas=np.concatenate([d.texel_areas for d in drawables]),
+        texel_areas=np.concatenate([d.texel_areas for d in meshes]),
         material_colors=colors,
         material_textures=textures,
         texture_layout=packed.layout,
@@ -200,17 +200,17 @@ def _pack(parts: list[_Part], shade: FloorShade) -> SceneBuffers:
 
 
 def _pack_materials(
-    drawables: list[Drawable], atlas: AtlasBuilder
+    meshes: list[RenderMesh], atlas: AtlasBuilder
 ) -> tuple[list[int], NDArray[np.float32], NDArray[np.int32]]:
-    """Return where each drawable's materials begin, and the colours and textures of all of them."""
+    """Return where each mesh's materials begin, and the colours and textures of all of them."""
     base_of: dict[int, int] = {}
     colors: list[NDArray[np.float32]] = []
     textures: list[int] = []
     bases = []
-    for drawable in drawables:
-        if id(drawable) not in base_of:
-            base_of[id(drawable)] = len(textures)
-            colors.append(drawable.colors)
-            textures += [atlas.add(chain) for chain in drawable.textures]
-        bases.append(base_of[id(drawable)])
+    for mesh in meshes:
+        if id(mesh) not in base_of:
+            base_of[id(mesh)] = len(textures)
+            colors.append(mesh.colors)
+            textures += [atlas.add(chain) for chain in mesh.textures]
+        bases.append(base_of[id(mesh)])
     return bases, np.concatenate(colors), np.array(textures, dtype=np.int32)

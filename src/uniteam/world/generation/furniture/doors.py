@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from numpy.random import Generator
 
 from uniteam.world.assets.catalogue import Model
-from uniteam.world.generation.furniture.placement import Placement
+from uniteam.world.generation.furniture.piece import Piece
 from uniteam.world.generation.plan.floor_plan import FloorPlan
 from uniteam.world.generation.plan.openings import WALL_THICKNESS, PlannedOpening, PlannedWall
 from uniteam.world.generation.plan.rect import Rect
@@ -31,7 +31,7 @@ class Entrance:
     """
 
     room: int
-    leaf: Placement
+    leaf: Piece
     free: Rect
 
 
@@ -39,7 +39,7 @@ def draw_entrance(plan: FloorPlan, walls: Sequence[PlannedWall], model: Model, r
     """Return a front door in an outer wall of the hall, or of the living room where there is no hall."""
     kinds = [room.kind for room in plan]
     room = kinds.index("hall" if "hall" in kinds else "living_room")
-    half_width, half_thickness = Placement(model, 0, 0, 0).half_size
+    half_width, half_thickness = Piece(model, 0, 0, 0).half_size
     spots = [
         (wall, along)
         for wall in walls
@@ -52,14 +52,14 @@ def draw_entrance(plan: FloorPlan, walls: Sequence[PlannedWall], model: Model, r
     wall, along = spots[int(rng.integers(len(spots)))]
     away = 1 if room == wall.rooms[1] else -1
     across = wall.across + away * (WALL_THICKNESS // 2 + half_thickness - _SUNK)
-    leaf = _placed(wall, model, wall.start + along, across, _back_across(wall, -away))
+    leaf = _leaf(wall, model, wall.start + along, across, _back_across(wall, -away))
     opening = PlannedOpening("door", along - half_width, along + half_width, 0, 0)
     return Entrance(room, leaf, wall.stretch(opening, _BEFORE_ENTRANCE))
 
 
 def open_leaves(
     plan: FloorPlan, wall: PlannedWall, opening: PlannedOpening, model: Model, rng: Generator
-) -> Iterator[tuple[int, Placement]]:
+) -> Iterator[tuple[int, Piece]]:
     """Yield (room index, leaf) for every way a door may stand open: out of the hall first, into the smaller room."""
     rooms = [room for room in wall.rooms if room is not None]
     sides = sorted(rooms, key=lambda room: (plan[room].kind == "hall", plan[room].rect.area))
@@ -79,7 +79,7 @@ def _distance_to_corner(wall: PlannedWall, hinge: int, outward: int, room: Rect)
     return wall.start + hinge - low if outward < 0 else high - wall.start - hinge
 
 
-def _along_side_wall(wall: PlannedWall, model: Model, hinge: int, outward: int, upward: bool) -> Placement:
+def _along_side_wall(wall: PlannedWall, model: Model, hinge: int, outward: int, upward: bool) -> Piece:
     """Return the leaf opened by a right angle.
 
     Args:
@@ -89,24 +89,24 @@ def _along_side_wall(wall: PlannedWall, model: Model, hinge: int, outward: int, 
         outward: the direction along the wall that leads away from the opening.
         upward: whether it opens to the wall's upper (or right) side.
     """
-    half_width, half_thickness = Placement(model, 0, 0, 0).half_size
+    half_width, half_thickness = Piece(model, 0, 0, 0).half_size
     along = wall.start + hinge + outward * (half_thickness + 1)
     across = wall.across + (1 if upward else -1) * (WALL_THICKNESS // 2 + half_width + 2)
-    return _placed(wall, model, along, across, _back_along(wall, outward))
+    return _leaf(wall, model, along, across, _back_along(wall, outward))
 
 
-def _flat_on_wall(wall: PlannedWall, model: Model, hinge: int, outward: int, upward: bool) -> Placement:
+def _flat_on_wall(wall: PlannedWall, model: Model, hinge: int, outward: int, upward: bool) -> Piece:
     """Return the leaf folded back all the way; arguments as of `_along_side_wall`."""
-    half_width, half_thickness = Placement(model, 0, 0, 0).half_size
+    half_width, half_thickness = Piece(model, 0, 0, 0).half_size
     away = 1 if upward else -1
     along = wall.start + hinge + outward * (half_width + 2)
     across = wall.across + away * (WALL_THICKNESS // 2 + half_thickness + _FROM_WALL)
-    return _placed(wall, model, along, across, _back_across(wall, -away))
+    return _leaf(wall, model, along, across, _back_across(wall, -away))
 
 
-def _placed(wall: PlannedWall, model: Model, along: int, across: int, quarters: int) -> Placement:
+def _leaf(wall: PlannedWall, model: Model, along: int, across: int, quarters: int) -> Piece:
     x, y = (along, across) if wall.horizontal else (across, along)
-    return Placement(model, x, y, quarters)
+    return Piece(model, x, y, quarters)
 
 
 def _back_along(wall: PlannedWall, direction: int) -> int:

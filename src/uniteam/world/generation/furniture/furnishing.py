@@ -10,7 +10,7 @@ from numpy.random import Generator
 from uniteam.world.assets.catalogue import Catalogue, Model, Pool
 from uniteam.world.generation.furniture.doors import Entrance, draw_entrance, fitting_leaves, open_leaves
 from uniteam.world.generation.furniture.kinds import models_of_kind
-from uniteam.world.generation.furniture.placement import Placement, Site
+from uniteam.world.generation.furniture.piece import Piece, Site
 from uniteam.world.generation.furniture.room_floor import RoomFloor, Volume, standing_strip
 from uniteam.world.generation.furniture.rules import RULES, Rule
 from uniteam.world.generation.plan.floor_plan import FloorPlan, PlannedRoom
@@ -28,10 +28,10 @@ _USED_FROM_FRONT = {"refrigerator", "oven", "dishwasher", "shower", "fireplace",
 
 @dataclass(frozen=True)
 class FurnishedRoom:
-    """A room and what stands in it, in the order it was placed."""
+    """A room and what stands in it, in the order it was put there."""
 
     room: PlannedRoom
-    placements: tuple[Placement, ...]
+    pieces: tuple[Piece, ...]
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class FurnitureShop:
 def furnish(
     plan: FloorPlan, walls: Sequence[PlannedWall], shop: FurnitureShop, ceiling: int, rng: Generator
 ) -> tuple[FurnishedRoom, ...]:
-    """Return every room with its furniture, after the leaves of the doors have found their places.
+    """Return every room with its furniture, after its doors have their leaves.
 
     Args:
         plan, walls: what to furnish.
@@ -76,9 +76,9 @@ def furnish(
 
 def _hang_doors(
     plan: FloorPlan, walls: Sequence[PlannedWall], floors: Sequence[RoomFloor], shop: FurnitureShop, rng: Generator
-) -> list[list[Placement]]:
+) -> list[list[Piece]]:
     """Return the open leaves in each room; a door whose leaf would be in the way has none."""
-    leaves: list[list[Placement]] = [[] for _ in plan]
+    leaves: list[list[Piece]] = [[] for _ in plan]
     style = rng.permutation(1000)
     for wall in walls:
         for opening in wall.openings:
@@ -94,7 +94,7 @@ def _hang_doors(
     return leaves
 
 
-def _has_space(floor: RoomFloor, leaf: Placement) -> bool:
+def _has_space(floor: RoomFloor, leaf: Piece) -> bool:
     row = np.array([leaf.volume.as_row()], dtype=np.int64)
     return bool(floor.unobstructed(row)[0]) and floor.stays_passable(leaf.volume, ())
 
@@ -125,60 +125,60 @@ class _Furnisher:
 
     def __init__(self, room: PlannedRoom, floor: RoomFloor, shop: FurnitureShop, ceiling: int, rng: Generator) -> None:
         self._room, self._floor, self._shop, self._ceiling, self._rng = room, floor, shop, ceiling, rng
-        self._standing: list[tuple[str, Placement]] = []
+        self._standing: list[tuple[str, Piece]] = []
 
-    def furnish(self) -> Iterator[Placement]:
+    def furnish(self) -> Iterator[Piece]:
         """Apply the room's rules in order and yield what stands at the end."""
         for rule in RULES[self._room.kind]:
             if self._rng.random() < rule.chance and self._room.rect.area >= rule.min_area:
                 self._apply(rule)
-        return (placement for _, placement in self._standing)
+        return (piece for _, piece in self._standing)
 
     def _apply(self, rule: Rule) -> None:
         if rule.only_if_none and any(kind in rule.kinds for kind, _ in self._standing):
             return
         wanted = int(self._rng.integers(rule.count[0], rule.count[1] + 1))
         for kind in rule.kinds:
-            placed = 0
+            count = 0
             model = self._shop.choose(kind, self._rng)
             for _ in range(wanted):
-                if model is not None and self._place(rule, kind, model):
-                    placed += 1
+                if model is not None and self._put(rule, kind, model):
+                    count += 1
                 if not rule.one_model:
                     model = self._shop.choose(kind, self._rng)
-            if placed:
+            if count:
                 return
 
-    def _place(self, rule: Rule, kind: str, model: Model) -> bool:
+    def _put(self, rule: Rule, kind: str, model: Model) -> bool:
         for anchor in self._anchors(rule):
             site = Site(self._floor.inner, self._ceiling, self._floor.windows, anchor, self._rng)
-            placement = self._first_fitting(list(rule.place(site, model)), rule)
-            if placement is not None:
+            piece = self._first_fitting(list(rule.arrange(site, model)), rule)
+            if piece is not None:
                 if not _is_flat(model):
-                    self._floor.take(placement.volume, _sides(placement))
-                self._standing.append((kind, placement))
+                    self._floor.take(piece.volume, _sides(piece))
+                self._standing.append((kind, piece))
                 return True
         return False
 
-    def _anchors(self, rule: Rule) -> list[Placement | None]:
+    def _anchors(self, rule: Rule) -> list[Piece | None]:
         if not rule.anchors:
             return [None]
-        return [placement for kind, placement in self._standing if kind in rule.anchors]
+        return [piece for kind, piece in self._standing if kind in rule.anchors]
 
-    def _first_fitting(self, placements: list[Placement], rule: Rule) -> Placement | None:
-        placements = [p for p in placements if p.volume.top <= self._ceiling]
-        if not placements:
+    def _first_fitting(self, pieces: list[Piece], rule: Rule) -> Piece | None:
+        pieces = [p for p in pieces if p.volume.top <= self._ceiling]
+        if not pieces:
             return None
-        if _is_flat(placements[0].model):
-            return next((p for p in placements if self._floor.inner.contains(p.rect)), None)
-        rows = np.array([p.volume.as_row() for p in placements], dtype=np.int64)
+        if _is_flat(pieces[0].model):
+            return next((p for p in pieces if self._floor.inner.contains(p.rect)), None)
+        rows = np.array([p.volume.as_row() for p in pieces], dtype=np.int64)
         fits = self._floor.unobstructed(rows, rule.elbow_room)
         if not rule.covers_window:
             fits &= self._floor.lets_light_in(rows)
         passable = (
-            placements[i]
+            pieces[i]
             for i in islice(np.flatnonzero(fits).tolist(), _TRIES)
-            if self._floor.stays_passable(placements[i].volume, _sides(placements[i]))
+            if self._floor.stays_passable(pieces[i].volume, _sides(pieces[i]))
         )
         return next(passable, None)
 
@@ -188,11 +188,11 @@ def _is_flat(model: Model) -> bool:
     return not model.shapes and model.size[2] < 0.04
 
 
-def _sides(placement: Placement) -> tuple[Rect, ...]:
+def _sides(piece: Piece) -> tuple[Rect, ...]:
     """Return where the robot may stand to get at a piece; nothing for what only decorates."""
-    category = placement.model.category
-    if placement.model.role != "receptacle" and category not in _USED_FROM_FRONT:
+    category = piece.model.category
+    if piece.model.role != "receptacle" and category not in _USED_FROM_FRONT:
         return ()
     if category not in _OPEN_SIDED:
-        return (standing_strip(placement.rect, placement.front),)
-    return tuple(standing_strip(placement.rect, step) for step in ((1, 0), (-1, 0), (0, 1), (0, -1)))
+        return (standing_strip(piece.rect, piece.front),)
+    return tuple(standing_strip(piece.rect, step) for step in ((1, 0), (-1, 0), (0, 1), (0, -1)))

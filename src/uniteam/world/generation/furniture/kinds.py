@@ -1,6 +1,6 @@
 """Kinds of furniture finer than the catalogue's categories: which table is a desk is told by its size.
 
-Each kind is a category and bounds on the size, so a new model of the pack finds its place by itself.
+Each kind is a category and bounds on the size, so a new model of the pack is used without being listed here.
 """
 
 from collections.abc import Callable
@@ -13,7 +13,7 @@ _ANY: Bounds = (0.0, 99.0)
 
 
 @dataclass(frozen=True)
-class Kind:
+class FurnitureKind:
     """Models of some categories whose width, depth and height (m) are within bounds."""
 
     categories: tuple[str, ...]
@@ -46,58 +46,61 @@ def _is_armchair(model: Model) -> bool:
 
 
 KINDS = {
-    "couch": Kind(("couch",), depth=(0, 1.2)),
-    "corner_couch": Kind(("couch",), depth=(1.2, 3.0)),
-    "coffee_table": Kind(("table",), height=(0.25, 0.6), width=(0.6, 1.6)),
-    "dining_table": Kind(("table",), width=(0.9, 2.4), depth=(0.75, 1.4), height=(0.68, 0.82), also=_not_named("desk")),
-    "kitchen_table": Kind(("table",), width=(0.6, 1.3), depth=(0.5, 1.3), height=(0.6, 0.92), also=_not_named("desk")),
-    "desk": Kind(("table",), width=(0.9, 2.4), depth=(0.45, 0.9), height=(0.68, 1.85), also=_named("desk", "dressing")),
-    "work_table": Kind(("table",), width=(0.9, 2.0), depth=(0.45, 0.85), height=(0.68, 0.8)),
-    "side_table": Kind(("table", "stool", "stand"), width=(0.3, 0.75), depth=(0.3, 0.75), height=(0.35, 0.75)),
-    "armchair": Kind(("chair",), width=(0.58, 1.2), depth=(0.55, 1.0), height=(0.6, 1.2), also=_is_armchair),
-    "dining_chair": Kind(("chair",), width=(0.3, 0.62), depth=(0.3, 0.68), height=(0.7, 1.2),
-                         also=_not_named("bar", *_OUTDOORS)),
-    "any_chair": Kind(("chair",), width=(0.3, 1.0), depth=(0.3, 1.0)),
-    "bed": Kind(("bed",), width=(1.15, 2.3), height=(0.3, 1.3)),
-    "single_bed": Kind(("bed",), width=(0.7, 1.32)),
-    "bedside_table": Kind(("stand",), width=(0.25, 0.7), height=(0.3, 0.75)),
-    "tv_stand": Kind(("stand",), width=(0.9, 2.2), height=(0.3, 0.95)),
-    "stand": Kind(("stand",)),
-    "tv": Kind(("tv",), also=_not_named("wall")),
-    "wall_tv": Kind(("tv",), also=_named("wall")),
-    "mirror": Kind(("mirror",), height=(0.0, 1.0)),
-    "tall_mirror": Kind(("mirror",), height=(1.0, 2.2)),
-    "low_cabinet": Kind(("cabinet", "chest_of_drawers"), width=(0.9, 2.2), height=(0.3, 0.95)),
-    "office_chair": Kind(("chair",), width=(0.4, 0.75), depth=(0.4, 0.75), height=(0.7, 1.25),
-                         also=_not_named(*_OUTDOORS)),
-    "bench": Kind(("bench",), width=(0.5, 2.1), depth=(0.2, 0.75)),
-    "trunk": Kind(("trunk",)),
-    "chest_of_drawers": Kind(("chest_of_drawers",)),
-    "wardrobe": Kind(("wardrobe",)),
-    "cabinet": Kind(("cabinet",), width=(0.45, 2.0)),
-    "small_cabinet": Kind(("cabinet",), width=(0.15, 0.8), depth=(0.15, 0.65)),
-    "shelves": Kind(("shelves",)),
-    "narrow_shelves": Kind(("shelves",), width=(0.3, 1.05), depth=(0.15, 0.5)),
-    "shoe_rack": Kind(("shoe_rack",)),
-    "filing_cabinet": Kind(("filing_cabinet",)),
-    "hamper": Kind(("hamper",)),
-    "serving_cart": Kind(("serving_cart",)),
-    "stool": Kind(("stool",)),
-    "counter": Kind(("counter",), width=(0.4, 1.5), depth=(0.5, 0.75), also=_not_named("corner", "island")),
-    "island": Kind(("counter",), width=(0.6, 2.4), depth=(0.6, 1.4), also=_named("island")),
-    "kitchen_sink": Kind(("sink",), width=(0.55, 1.4), depth=(0.55, 0.75), height=(0.8, 1.3),
-                         also=_not_named(*_FOR_WASHING)),
-    "bathroom_sink": Kind(("sink",), height=(0.6, 2.3), also=_named(*_FOR_WASHING)),
-    "toilet": Kind(("toilet",)),
-    "bathtub": Kind(("bathtub",)),
-    "washer_dryer": Kind(("washer_dryer",)),
+    "couch": FurnitureKind(("couch",), depth=(0, 1.2)),
+    "corner_couch": FurnitureKind(("couch",), depth=(1.2, 3.0)),
+    "coffee_table": FurnitureKind(("table",), height=(0.25, 0.6), width=(0.6, 1.6)),
+    "dining_table": FurnitureKind(("table",), width=(0.9, 2.4), depth=(0.75, 1.4), height=(0.68, 0.82),
+                                  also=_not_named("desk")),
+    "kitchen_table": FurnitureKind(("table",), width=(0.6, 1.3), depth=(0.5, 1.3), height=(0.6, 0.92),
+                                   also=_not_named("desk")),
+    "desk": FurnitureKind(("table",), width=(0.9, 2.4), depth=(0.45, 0.9), height=(0.68, 1.85),
+                          also=_named("desk", "dressing")),
+    "work_table": FurnitureKind(("table",), width=(0.9, 2.0), depth=(0.45, 0.85), height=(0.68, 0.8)),
+    "side_table": FurnitureKind(("table", "stool", "stand"), width=(0.3, 0.75), depth=(0.3, 0.75), height=(0.35, 0.75)),
+    "armchair": FurnitureKind(("chair",), width=(0.58, 1.2), depth=(0.55, 1.0), height=(0.6, 1.2), also=_is_armchair),
+    "dining_chair": FurnitureKind(("chair",), width=(0.3, 0.62), depth=(0.3, 0.68), height=(0.7, 1.2),
+                                  also=_not_named("bar", *_OUTDOORS)),
+    "any_chair": FurnitureKind(("chair",), width=(0.3, 1.0), depth=(0.3, 1.0)),
+    "bed": FurnitureKind(("bed",), width=(1.15, 2.3), height=(0.3, 1.3)),
+    "single_bed": FurnitureKind(("bed",), width=(0.7, 1.32)),
+    "bedside_table": FurnitureKind(("stand",), width=(0.25, 0.7), height=(0.3, 0.75)),
+    "tv_stand": FurnitureKind(("stand",), width=(0.9, 2.2), height=(0.3, 0.95)),
+    "stand": FurnitureKind(("stand",)),
+    "tv": FurnitureKind(("tv",), also=_not_named("wall")),
+    "wall_tv": FurnitureKind(("tv",), also=_named("wall")),
+    "mirror": FurnitureKind(("mirror",), height=(0.0, 1.0)),
+    "tall_mirror": FurnitureKind(("mirror",), height=(1.0, 2.2)),
+    "low_cabinet": FurnitureKind(("cabinet", "chest_of_drawers"), width=(0.9, 2.2), height=(0.3, 0.95)),
+    "office_chair": FurnitureKind(("chair",), width=(0.4, 0.75), depth=(0.4, 0.75), height=(0.7, 1.25),
+                                  also=_not_named(*_OUTDOORS)),
+    "bench": FurnitureKind(("bench",), width=(0.5, 2.1), depth=(0.2, 0.75)),
+    "trunk": FurnitureKind(("trunk",)),
+    "chest_of_drawers": FurnitureKind(("chest_of_drawers",)),
+    "wardrobe": FurnitureKind(("wardrobe",)),
+    "cabinet": FurnitureKind(("cabinet",), width=(0.45, 2.0)),
+    "small_cabinet": FurnitureKind(("cabinet",), width=(0.15, 0.8), depth=(0.15, 0.65)),
+    "shelves": FurnitureKind(("shelves",)),
+    "narrow_shelves": FurnitureKind(("shelves",), width=(0.3, 1.05), depth=(0.15, 0.5)),
+    "shoe_rack": FurnitureKind(("shoe_rack",)),
+    "filing_cabinet": FurnitureKind(("filing_cabinet",)),
+    "hamper": FurnitureKind(("hamper",)),
+    "serving_cart": FurnitureKind(("serving_cart",)),
+    "stool": FurnitureKind(("stool",)),
+    "counter": FurnitureKind(("counter",), width=(0.4, 1.5), depth=(0.5, 0.75), also=_not_named("corner", "island")),
+    "island": FurnitureKind(("counter",), width=(0.6, 2.4), depth=(0.6, 1.4), also=_named("island")),
+    "kitchen_sink": FurnitureKind(("sink",), width=(0.55, 1.4), depth=(0.55, 0.75), height=(0.8, 1.3),
+                                  also=_not_named(*_FOR_WASHING)),
+    "bathroom_sink": FurnitureKind(("sink",), height=(0.6, 2.3), also=_named(*_FOR_WASHING)),
+    "toilet": FurnitureKind(("toilet",)),
+    "bathtub": FurnitureKind(("bathtub",)),
+    "washer_dryer": FurnitureKind(("washer_dryer",)),
 }  # fmt: skip
 """Kinds of receptacles; any other kind is a category of decor by its own name."""
 
 
 def models_of_kind(catalogue: Catalogue, kind: str, pool: Pool) -> tuple[Model, ...]:
     """Return the pool's models of a kind, sorted by id; of every pool where the pool lacks the whole category."""
-    wanted = KINDS.get(kind, Kind((kind,)))
+    wanted = KINDS.get(kind, FurnitureKind((kind,)))
     models = sorted(catalogue.models.values(), key=lambda model: model.id)
     usable = [m for m in models if m.role in ("receptacle", "decor") and m.category in wanted.categories]
     in_pool = [m for m in usable if m.pool == pool] or usable

@@ -27,7 +27,7 @@ _MOST_ON_ONE = 7
 
 
 @dataclass(frozen=True)
-class _Place:
+class _Support:
     """A surface of a piece of furniture, as seen from above in the world (m).
 
     Attributes:
@@ -60,39 +60,39 @@ def scatter(
         stock: the models that may lie about.
         rng: for every choice.
     """
-    places = [place for piece in furniture for place in _places(piece, stock.catalogue, room_kinds[piece.room])]
+    supports = [support for piece in furniture for support in _supports(piece, stock.catalogue, room_kinds[piece.room])]
     footprints = [_rectangle(stock.catalogue[piece.model], piece.model_to_world()) for piece in furniture]
-    space = _quotas(places, rng)
+    space = _quotas(supports, rng)
     wanted = int(rng.integers(MIN_OBJECT_COUNT + 8, MAX_OBJECT_COUNT - 5))
     objects: list[Instance] = []
     boxes: dict[int, list[NDArray[np.float64]]] = {}
-    for index in _visits(places, space, 8 * wanted, rng):
-        place = places[index]
-        if space[place.furniture.name] == 0:
+    for index in _visits(supports, space, 8 * wanted, rng):
+        support = supports[index]
+        if space[support.furniture.name] == 0:
             continue
-        taken = boxes.setdefault(index, _standing_on(place, furniture, footprints))
-        placed = _try_place(place, taken, stock.choose(place.room_kind, rng), rng)
-        if placed is not None:
-            objects.append(placed[0])
-            taken.append(placed[1])
-            space[place.furniture.name] -= 1
+        taken = boxes.setdefault(index, _standing_on(support, furniture, footprints))
+        put = _try_support(support, taken, stock.choose(support.room_kind, rng), rng)
+        if put is not None:
+            objects.append(put[0])
+            taken.append(put[1])
+            space[support.furniture.name] -= 1
         if len(objects) == wanted:
             break
     return tuple(objects)
 
 
-def _quotas(places: Sequence[_Place], rng: Generator) -> dict[str, int]:
+def _quotas(supports: Sequence[_Support], rng: Generator) -> dict[str, int]:
     """Return how many objects each piece of furniture may hold: none for one in five, few on small ones."""
     areas: dict[str, float] = {}
-    for place in places:
-        areas[place.furniture.name] = areas.get(place.furniture.name, 0.0) + place.area
+    for support in supports:
+        areas[support.furniture.name] = areas.get(support.furniture.name, 0.0) + support.area
     return {
         name: 0 if rng.random() < 0.2 else 1 + min(_MOST_ON_ONE - 1, int(rng.integers(0, 2 + int(6 * area))))
         for name, area in sorted(areas.items())
     }
 
 
-def _places(piece: Instance, catalogue: Catalogue, room_kind: str) -> Iterator[_Place]:
+def _supports(piece: Instance, catalogue: Catalogue, room_kind: str) -> Iterator[_Support]:
     model = catalogue[piece.model]
     if model.role != "receptacle":
         return
@@ -100,25 +100,25 @@ def _places(piece: Instance, catalogue: Catalogue, room_kind: str) -> Iterator[_
     for surface in model.surfaces:
         height = surface.height + piece.position[2]
         if height <= _HIGHEST:
-            yield _Place(piece, _outline(surface, to_world), height, surface.clearance, room_kind)
+            yield _Support(piece, _outline(surface, to_world), height, surface.clearance, room_kind)
 
 
 def _outline(surface: SupportSurface, to_world: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.array(surface.outline) @ to_world[:2, :2].T + to_world[:2, 3]
 
 
-def _visits(places: Sequence[_Place], space: Mapping[str, int], tries: int, rng: Generator) -> Iterator[int]:
-    """Yield indices of places to try, larger surfaces more often; a piece's many shelves share its chances."""
-    counts = Counter(place.furniture.name for place in places)
+def _visits(supports: Sequence[_Support], space: Mapping[str, int], tries: int, rng: Generator) -> Iterator[int]:
+    """Yield indices of supports to try, larger surfaces more often; a piece's many shelves share its chances."""
+    counts = Counter(support.furniture.name for support in supports)
     weights = [
-        place.area**0.5 / counts[place.furniture.name] ** 0.5 if space[place.furniture.name] else 0.0
-        for place in places
+        support.area**0.5 / counts[support.furniture.name] ** 0.5 if space[support.furniture.name] else 0.0
+        for support in supports
     ]
     borders = np.cumsum(np.round(weights, 9))
-    if not places or borders[-1] == 0.0:
+    if not supports or borders[-1] == 0.0:
         return
     for draw in rng.random(tries):
-        yield min(int(np.searchsorted(borders, draw * borders[-1], side="right")), len(places) - 1)
+        yield min(int(np.searchsorted(borders, draw * borders[-1], side="right")), len(supports) - 1)
 
 
 def _rectangle(model: Model, to_world: NDArray[np.float64], margin: float = 0.0) -> NDArray[np.float64]:
@@ -128,31 +128,33 @@ def _rectangle(model: Model, to_world: NDArray[np.float64], margin: float = 0.0)
 
 
 def _standing_on(
-    place: _Place, furniture: Sequence[Instance], footprints: Sequence[NDArray[np.float64]]
+    support: _Support, furniture: Sequence[Instance], footprints: Sequence[NDArray[np.float64]]
 ) -> list[NDArray[np.float64]]:
-    """Return the footprints of furniture that stands on the place, such as a television."""
+    """Return the footprints of furniture that stands on the support, such as a television."""
     return [
         footprint
         for piece, footprint in zip(furniture, footprints, strict=True)
-        if piece.room == place.furniture.room and abs(piece.position[2] - place.height) < 0.05 and place.height > 0.1
+        if piece.room == support.furniture.room
+        and abs(piece.position[2] - support.height) < 0.05
+        and support.height > 0.1
     ]
 
 
-def _try_place(
-    place: _Place, taken: Sequence[NDArray[np.float64]], model: Model, rng: Generator
+def _try_support(
+    support: _Support, taken: Sequence[NDArray[np.float64]], model: Model, rng: Generator
 ) -> tuple[Instance, NDArray[np.float64]] | None:
-    """Return the object at a random spot of the place where it fits, with its footprint; None where it does not."""
-    if model.size[2] + 0.02 > place.clearance:
+    """Return the object at a random spot of the support where it fits, with its footprint; None where it does not."""
+    if model.size[2] + 0.02 > support.clearance:
         return None
-    low, high = place.outline.min(axis=0), place.outline.max(axis=0)
+    low, high = support.outline.min(axis=0), support.outline.max(axis=0)
     for _ in range(6):
         x, y = (round(float(v), 4) for v in low + (high - low) * rng.random(2))
         yaw = math.radians(int(rng.integers(360)))
         quaternion = tuple(round(q, 9) for q in yaw_quaternion(yaw))
-        position = (x, y, round(place.height + _DROP, 4))
-        instance = Instance("", model.id, model.category, True, position, quaternion, place.furniture.room)  # type: ignore[arg-type]
+        position = (x, y, round(support.height + _DROP, 4))
+        instance = Instance("", model.id, model.category, True, position, quaternion, support.furniture.room)  # type: ignore[arg-type]
         corners = _rectangle(model, instance.model_to_world(), _EDGE)
-        if _inside(corners, place.outline) and not any(_overlap(corners, other) for other in taken):
+        if _inside(corners, support.outline) and not any(_overlap(corners, other) for other in taken):
             return instance, corners
     return None
 

@@ -42,7 +42,7 @@ def settle(home: Home, catalogue: Catalogue) -> Home:
     kept = set(physics.names)
     for _ in range(3):
         physics.settle(sorted(kept), _SECONDS)
-        lost = {name for name in kept if not _is_well_placed(home, physics, name)}
+        lost = {name for name in kept if not _lies_well(home, physics, name)}
         for name in sorted(lost):
             physics.remove(name)
         kept -= lost
@@ -52,7 +52,7 @@ def settle(home: Home, catalogue: Catalogue) -> Home:
     return replace(home, instances=tuple(_settled(i, physics) if i.movable else i for i in things))
 
 
-def _is_well_placed(home: Home, physics: Physics, name: str) -> bool:
+def _lies_well(home: Home, physics: Physics, name: str) -> bool:
     moved = np.linalg.norm(physics.pose(name)[:3, 3] - home.by_name[name].position)
     if moved > _MAX_SLIDE or not physics.is_at_rest(name) or "floor" in physics.touching(name):
         return False

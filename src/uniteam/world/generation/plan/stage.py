@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from numpy.random import Generator
 
-from uniteam.world.assets.textures import Kind, texture_names
+from uniteam.world.assets.textures import TextureKind, texture_names
 from uniteam.world.generation.plan.floor_plan import FloorPlan, PlannedRoom
 from uniteam.world.generation.plan.openings import WALL_THICKNESS, PlannedWall
 from uniteam.world.homes.home import Light, Opening, Room, Stage, Wall
@@ -47,7 +47,7 @@ def build_stage(plan: FloorPlan, walls: Sequence[PlannedWall], ceiling: int, rng
     return Stage(rooms, tuple(_wall(wall) for wall in walls), ceiling / 100)
 
 
-def _texture(kind: Kind, choices: Sequence[Sequence[str]], rng: Generator) -> str:
+def _texture(kind: TextureKind, choices: Sequence[Sequence[str]], rng: Generator) -> str:
     """Return a texture whose name holds a word of one of the choices; any, where the pack has none such."""
     words = choices[int(rng.integers(len(choices)))]
     names = texture_names(kind)

@@ -16,14 +16,16 @@ TILE = 8
 
 
 @njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
-def screen_bounds(buffers: SceneBuffers, view: NDArray[np.float32], width: int, height: int) -> NDArray[np.float32]:
+def screen_bounds(
+    buffers: SceneBuffers, projection: NDArray[np.float32], width: int, height: int
+) -> NDArray[np.float32]:
     """Return (P, 5): low and high column, low and high row of each part's box on the screen, largest inverse depth.
 
     A part that cannot be seen has inverse depth -1; one that reaches through the near plane covers the whole screen.
 
     Args:
         buffers: of the scene.
-        view: (3, 4) float32 from the world to pixel coordinates times depth (intrinsics @ world_to_camera).
+        projection: (3, 4) float32 from the world to pixel coordinates times depth (intrinsics @ world_to_camera).
         width, height: of the image.
     """
     count = buffers.part_boxes.shape[0]
@@ -38,9 +40,9 @@ def screen_bounds(buffers: SceneBuffers, view: NDArray[np.float32], width: int, 
         left, right, above, below = True, True, True, True
         for k in range(8):
             x, y, z = buffers.part_boxes[part, k, 0], buffers.part_boxes[part, k, 1], buffers.part_boxes[part, k, 2]
-            u = view[0, 0] * x + view[0, 1] * y + view[0, 2] * z + view[0, 3]
-            v = view[1, 0] * x + view[1, 1] * y + view[1, 2] * z + view[1, 3]
-            w = view[2, 0] * x + view[2, 1] * y + view[2, 2] * z + view[2, 3]
+            u = projection[0, 0] * x + projection[0, 1] * y + projection[0, 2] * z + projection[0, 3]
+            v = projection[1, 0] * x + projection[1, 1] * y + projection[1, 2] * z + projection[1, 3]
+            w = projection[2, 0] * x + projection[2, 1] * y + projection[2, 2] * z + projection[2, 3]
             nearest, farthest = min(nearest, w), max(farthest, w)
             left &= u < np.float32(-0.5) * w
             right &= u > (np.float32(width) - np.float32(0.5)) * w
@@ -71,11 +73,11 @@ def drawing_order(bounds: NDArray[np.float32], is_stage: NDArray[np.bool_]) -> N
     for part in range(bounds.shape[0]):
         if bounds[part, 4] < 0.0:
             continue
-        place = count
-        while place > 0 and _is_before(part, order[place - 1], bounds, is_stage):
-            order[place] = order[place - 1]
-            place -= 1
-        order[place] = part
+        slot = count
+        while slot > 0 and _is_before(part, order[slot - 1], bounds, is_stage):
+            order[slot] = order[slot - 1]
+            slot -= 1
+        order[slot] = part
         count += 1
     return order[:count]
 

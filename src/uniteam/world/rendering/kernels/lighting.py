@@ -59,7 +59,7 @@ def _tint(color: tuple[float, float, float]) -> NDArray[np.float32]:
 
 
 @njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
-def place_part(
+def pose_part(
     vertices: NDArray[np.float32],
     normals: NDArray[np.float32],
     model_to_world: NDArray[np.float32],

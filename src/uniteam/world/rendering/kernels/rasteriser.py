@@ -21,19 +21,19 @@ PARTS_BETWEEN_COARSENINGS = 12
 
 
 @njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
-def rasterise(buffers: SceneBuffers, view: NDArray[np.float32], workspace: Workspace) -> None:
+def rasterise(buffers: SceneBuffers, projection: NDArray[np.float32], workspace: Workspace) -> None:
     """Draw every visible part.
 
     Args:
         buffers: of the scene.
-        view: (3, 4) float32 from the world to pixel coordinates times depth (intrinsics @ world_to_camera).
+        projection: (3, 4) float32 from the world to pixel coordinates times depth (intrinsics @ world_to_camera).
         workspace: output.
     """
     screen, inverse_depth, triangle_at = workspace.screen, workspace.inverse_depth, workspace.triangle_at
     height, width = inverse_depth.shape
     inverse_depth[:] = 0.0
     triangle_at[:] = -1
-    bounds = screen_bounds(buffers, view, width, height)
+    bounds = screen_bounds(buffers, projection, width, height)
     order = drawing_order(bounds, buffers.part_is_stage)
     coarse = np.zeros(((height + TILE - 1) // TILE, (width + TILE - 1) // TILE), dtype=np.float32)
     drawn = PARTS_BETWEEN_COARSENINGS
@@ -45,20 +45,22 @@ def rasterise(buffers: SceneBuffers, view: NDArray[np.float32], workspace: Works
             if is_hidden(bounds[part], coarse):
                 continue
             drawn += 1
-        _project_part(buffers, part, view, screen)
-        _draw_part(buffers, part, view, screen, inverse_depth, triangle_at)
+        _project_part(buffers, part, projection, screen)
+        _draw_part(buffers, part, projection, screen, inverse_depth, triangle_at)
 
 
 @njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
-def _project_part(buffers: SceneBuffers, part: int, view: NDArray[np.float32], screen: NDArray[np.float32]) -> None:
+def _project_part(
+    buffers: SceneBuffers, part: int, projection: NDArray[np.float32], screen: NDArray[np.float32]
+) -> None:
     """Write the screen position of a part's vertices; inverse depth is -1 in front of the near plane."""
     near = np.float32(NEAR)
     for k in range(buffers.part_ranges[part, 0], buffers.part_ranges[part, 1]):
         x, y, z = buffers.vertices[k, 0], buffers.vertices[k, 1], buffers.vertices[k, 2]
-        w = view[2, 0] * x + view[2, 1] * y + view[2, 2] * z + view[2, 3]
+        w = projection[2, 0] * x + projection[2, 1] * y + projection[2, 2] * z + projection[2, 3]
         inverse = np.float32(1.0) / max(w, near)
-        screen[k, 0] = (view[0, 0] * x + view[0, 1] * y + view[0, 2] * z + view[0, 3]) * inverse
-        screen[k, 1] = (view[1, 0] * x + view[1, 1] * y + view[1, 2] * z + view[1, 3]) * inverse
+        screen[k, 0] = (projection[0, 0] * x + projection[0, 1] * y + projection[0, 2] * z + projection[0, 3]) * inverse
+        screen[k, 1] = (projection[1, 0] * x + projection[1, 1] * y + projection[1, 2] * z + projection[1, 3]) * inverse
         screen[k, 2] = inverse if w >= near else np.float32(-1.0)
 
 
@@ -66,7 +68,7 @@ def _project_part(buffers: SceneBuffers, part: int, view: NDArray[np.float32], s
 def _draw_part(
     buffers: SceneBuffers,
     part: int,
-    view: NDArray[np.float32],
+    projection: NDArray[np.float32],
     screen: NDArray[np.float32],
     inverse_depth: NDArray[np.float32],
     triangle_at: NDArray[np.int32],
@@ -78,7 +80,7 @@ def _draw_part(
         wa, wb, wc = screen[a, 2], screen[b, 2], screen[c, 2]
         if min(wa, wb, wc) < np.float32(0.0):
             if max(wa, wb, wc) > np.float32(0.0):
-                _draw_clipped(buffers, t, view, inverse_depth, triangle_at)
+                _draw_clipped(buffers, t, projection, inverse_depth, triangle_at)
             continue
         xa, xb, xc = screen[a, 0], screen[b, 0], screen[c, 0]
         ya, yb, yc = screen[a, 1], screen[b, 1], screen[c, 1]
@@ -100,7 +102,7 @@ def _corner(x: np.float32, y: np.float32, w: np.float32) -> Corner:
 def _draw_clipped(
     buffers: SceneBuffers,
     t: int,
-    view: NDArray[np.float32],
+    projection: NDArray[np.float32],
     inverse_depth: NDArray[np.float32],
     triangle_at: NDArray[np.int32],
 ) -> None:
@@ -110,7 +112,7 @@ def _draw_clipped(
         v = buffers.triangles[t, k]
         x, y, z = buffers.vertices[v, 0], buffers.vertices[v, 1], buffers.vertices[v, 2]
         for i in range(3):
-            corner[k, i] = view[i, 0] * x + view[i, 1] * y + view[i, 2] * z + view[i, 3]
+            corner[k, i] = projection[i, 0] * x + projection[i, 1] * y + projection[i, 2] * z + projection[i, 3]
     polygon = np.empty((4, 3), dtype=np.float64)
     count = 0
     for k in range(3):

@@ -18,7 +18,7 @@ GRID = 0.5
 
 @dataclass(frozen=True)
 class Surface:
-    """How a panel looks: its material, and how many metres one tile of the texture covers."""
+    """How a rectangle looks: its material, and how many metres one tile of the texture covers."""
 
     material: Material
     tile_size: float = 1.0
@@ -26,7 +26,7 @@ class Surface:
 
 @dataclass(frozen=True)
 class Plane:
-    """Where a panel lies: point (u, v) of the panel is at `origin + u * right + v * up` and faces `normal`."""
+    """Where a rectangle lies: point (u, v) of the rectangle is at `origin + u * right + v * up` and faces `normal`."""
 
     origin: Vector
     right: Vector
@@ -61,7 +61,7 @@ _BOX_CORNERS, _BOX_NORMALS, _BOX_TRIANGLES = _box_template()
 
 
 class MeshBuilder:
-    """Gathers panels of several surfaces into one mesh."""
+    """Gathers rectangles of several surfaces into one mesh."""
 
     def __init__(self) -> None:
         self._vertices: list[NDArray[np.float32]] = []
@@ -72,7 +72,7 @@ class MeshBuilder:
         self._surfaces: list[Surface] = []
         self._count = 0
 
-    def add_panel(
+    def add_rectangle(
         self, plane: Plane, cuts: tuple[Sequence[float], Sequence[float]], surface: Surface, kept: NDArray | None = None
     ) -> None:
         """Add the grid between the cuts along u and v (m); `kept` (len(u) - 1, len(v) - 1) bool leaves holes."""

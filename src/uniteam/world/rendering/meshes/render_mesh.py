@@ -15,7 +15,7 @@ Float32Array = NDArray[np.float32]
 
 
 @dataclass(frozen=True)
-class Drawable:
+class RenderMesh:
     """What the rasteriser needs of a mesh.
 
     Attributes:
@@ -41,14 +41,14 @@ class Drawable:
     high: Float32Array
 
 
-def make_drawable(mesh: Mesh, mip_chain: Callable[[NDArray[np.uint8]], MipChain] = build_mip_chain) -> Drawable:
+def make_render_mesh(mesh: Mesh, mip_chain: Callable[[NDArray[np.uint8]], MipChain] = build_mip_chain) -> RenderMesh:
     """Prepare a mesh; `mip_chain` makes a texture's pyramid, or remembers it where meshes share textures."""
     vertices = np.ascontiguousarray(mesh.vertices, dtype=np.float32)
     normals = np.ascontiguousarray(mesh.normals, dtype=np.float32)
     textures = tuple(WHITE if m.texture is None else mip_chain(m.texture) for m in mesh.materials)
     triangle_materials = np.ascontiguousarray(mesh.triangle_materials, dtype=np.int32)
     triangles = _wind_with_normals(vertices, normals, mesh.triangles)
-    return Drawable(
+    return RenderMesh(
         vertices=vertices,
         normals=normals,
         uvs=np.ascontiguousarray(mesh.uvs, dtype=np.float32),
@@ -63,9 +63,9 @@ def make_drawable(mesh: Mesh, mip_chain: Callable[[NDArray[np.uint8]], MipChain]
 
 
 @lru_cache(maxsize=512)
-def load_drawable(path: Path) -> Drawable:
+def load_render_mesh(path: Path) -> RenderMesh:
     """Read and prepare a model of the pack, once a process; raises DamagedFileError where the file is not a model."""
-    return make_drawable(load_mesh(path))
+    return make_render_mesh(load_mesh(path))
 
 
 def _wind_with_normals(

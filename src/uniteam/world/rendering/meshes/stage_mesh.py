@@ -90,7 +90,7 @@ def _horizontal(room: Room, height: float, surface: Surface, up: float) -> Mesh:
     builder = MeshBuilder()
     plane = Plane(np.array([0.0, 0.0, height]), np.eye(3)[0], np.eye(3)[1], np.array([0.0, 0.0, up]))
     cuts = (grid_cuts(room.low[0], room.high[0]), grid_cuts(room.low[1], room.high[1]))
-    builder.add_panel(plane, cuts, surface)
+    builder.add_rectangle(plane, cuts, surface)
     return builder.build()
 
 

@@ -135,7 +135,7 @@ def _face(side: _Side, start: float, end: float, surface: Surface) -> Mesh:
     holes = [o for o in side.openings if o.end > start and o.start < end]
     along = grid_cuts(start, end, [x for o in holes for x in (o.start, o.end)])
     up = grid_cuts(0.0, side.height, [z for o in holes for z in (o.bottom, o.top)])
-    builder.add_panel(plane, (along, up), surface, _solid(along, up, holes))
+    builder.add_rectangle(plane, (along, up), surface, _solid(along, up, holes))
     for low, high in _free_floor(start, end, holes):
         _add_bar(builder, side, (low, high), (0.0, BASEBOARD_HEIGHT), BASEBOARD_DEPTH)
     for opening in holes:
@@ -188,11 +188,11 @@ def _reveal(side: _Side, opening: Opening) -> Mesh:
     half, across = side.half_thickness, (-side.half_thickness, side.half_thickness)
     for along, normal in ((opening.start, 1.0), (opening.end, -1.0)):
         plane = side.plane((normal, 0.0, 0.0), (along, 0.0, 0.0), (0.0, 1.0, 0.0))
-        builder.add_panel(plane, (across, (opening.bottom, opening.top)), TRIM_SURFACE)
+        builder.add_rectangle(plane, (across, (opening.bottom, opening.top)), TRIM_SURFACE)
     ends = ((opening.top, -1.0), (opening.bottom, 1.0)) if opening.bottom > 0.0 else ((opening.top, -1.0),)
     for height, normal in ends:
         plane = side.plane((0.0, 0.0, normal), (0.0, 0.0, height), (1.0, 0.0, 0.0))
-        builder.add_panel(plane, ((opening.start, opening.end), (-half, half)), TRIM_SURFACE)
+        builder.add_rectangle(plane, ((opening.start, opening.end), (-half, half)), TRIM_SURFACE)
     if opening.kind == "window":
         _add_mullions(builder, side, opening)
     return builder.build()
@@ -222,7 +222,7 @@ def _pane(side: _Side, opening: Opening) -> Mesh:
     # One tile of the sky covers the pane: v runs from 0 at its top to 1 at its sill.
     surface = Surface(SKY_SURFACE.material, height)
     plane = Plane(origin + np.array([0.0, 0.0, height]), side.frame[:3, 0], np.eye(3)[2], side.frame[:3, 1])
-    builder.add_panel(plane, ((opening.start, opening.end), (-height, 0.0)), surface)
+    builder.add_rectangle(plane, ((opening.start, opening.end), (-height, 0.0)), surface)
     return builder.build()
 
 
@@ -231,8 +231,8 @@ def _rim(side: _Side) -> Mesh:
     builder = MeshBuilder()
     half = side.half_thickness
     top = side.plane((0.0, 0.0, 1.0), (0.0, 0.0, side.height), (1.0, 0.0, 0.0))
-    builder.add_panel(top, ((side.begin, side.end), (-half, half)), TOP_SURFACE)
+    builder.add_rectangle(top, ((side.begin, side.end), (-half, half)), TOP_SURFACE)
     for along, normal in ((side.begin, -1.0), (side.end, 1.0)):
         plane = side.plane((normal, 0.0, 0.0), (along, 0.0, 0.0), (0.0, 1.0, 0.0))
-        builder.add_panel(plane, ((-half, half), (0.0, side.height)), OUTSIDE_SURFACE)
+        builder.add_rectangle(plane, ((-half, half), (0.0, side.height)), OUTSIDE_SURFACE)
     return builder.build()

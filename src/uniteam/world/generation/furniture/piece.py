@@ -1,4 +1,4 @@
-"""A placement of a model in a room, in whole centimetres and quarter turns.
+"""A piece of furniture: a model in a room, in whole centimetres and quarter turns.
 
 A model's front faces -y, so at zero turns its back is to the north.
 """
@@ -14,7 +14,7 @@ from uniteam.world.generation.plan.rect import Rect
 
 
 @dataclass(frozen=True)
-class Placement:
+class Piece:
     """A model at (x, y, z) cm, turned by `quarters` of a turn to the left and `degrees` more."""
 
     model: Model
@@ -83,11 +83,11 @@ class Site:
     inner: Rect
     ceiling: int
     windows: tuple[Volume, ...]
-    anchor: Placement | None
+    anchor: Piece | None
     rng: Generator
 
     @property
-    def the_anchor(self) -> Placement:
+    def the_anchor(self) -> Piece:
         """The anchor, for a proposal whose rule names one."""
         assert self.anchor is not None, "a rule with an anchor is tried only where one stands"
         return self.anchor
