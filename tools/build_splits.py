@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
 
-from uniteam.world.assets.catalogue import Pool
+from uniteam.world.assets.model import Pool
 from uniteam.world.certification.candidate_tasks import Tally
 from uniteam.world.certification.generate_episodes import EpisodeMaker
 from uniteam.world.generation.generate import generate_home

@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.floating]
+Point2 = tuple[float, float]
+Point3 = tuple[float, float, float]
 
 
 def wrap_angle(angle: float) -> float:

@@ -1,18 +1,23 @@
 """Scenes made of a few triangles, a camera that sees them, and a home of two rooms with models of the pack."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import PinholeCamera
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue
 from uniteam.world.assets.mesh import Material, Mesh
-from uniteam.world.assets.textures import texture_names
 from uniteam.world.homes.home import Home, Instance, Light, Opening, Room, Stage, Wall
+from uniteam.world.homes.polygon import rectangle
 from uniteam.world.rendering.camera import render
 from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.rendering.scene import Scene
 
+Array = NDArray[Any]
+
 CAMERA = PinholeCamera.from_horizontal_fov(64, 48, np.radians(60.0))
-NOWHERE = Home("nowhere", Stage((), (), 2.5), ())
+NOWHERE = Home("nowhere", Stage((), (), 2.5), (), Catalogue({}, frozenset()))
 """A home without rooms: only extra parts are seen, under an even light."""
 
 FORWARD = np.array([[0.0, 0.0, 1.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
@@ -44,10 +49,15 @@ def sphere(center: tuple[float, float, float], radius: float, material: Material
     return _mesh(np.array(center) + radius * flat, flat, np.zeros((len(flat), 2)), triangles, material)
 
 
-def _mesh(vertices: NDArray, normals: NDArray, uvs: NDArray, triangles: NDArray, material: Material) -> Mesh:
-    kinds = np.zeros(len(triangles), dtype=np.int32)
-    floats = (a.astype(np.float32) for a in (vertices, normals, uvs))
-    return Mesh(*floats, triangles.astype(np.int32), kinds, (material,))
+def _mesh(vertices: Array, normals: Array, uvs: Array, triangles: Array, material: Material) -> Mesh:
+    return Mesh(
+        vertices.astype(np.float32),
+        normals.astype(np.float32),
+        uvs.astype(np.float32),
+        triangles.astype(np.int32),
+        np.zeros(len(triangles), dtype=np.int32),
+        (material,),
+    )
 
 
 def see(parts: dict[str, Mesh], camera: PinholeCamera = CAMERA) -> Frame:
@@ -68,9 +78,18 @@ def looking(eye: tuple[float, float, float], target: tuple[float, float, float])
 
 def two_rooms(*instances: Instance) -> Home:
     """Return rooms "west" (x 0 to 4, warm) and "east" (4 to 8, cool), y 0 to 4, a door between, an eastern window."""
-    floor, wall = texture_names("floor")[0], texture_names("wall")[0]
+    library = load_catalogue()
+    floor, wall = library.texture_names("floor")[0], library.texture_names("wall")[0]
     rooms = tuple(
-        Room(name, "living_room", (x, 0.0), (x + 4.0, 4.0), floor, wall, tint, Light((x + 2.0, 2.0, 2.3), light, 0.4))
+        Room(
+            name,
+            "living_room",
+            rectangle((x, 0.0), (x + 4.0, 4.0)),
+            floor,
+            wall,
+            tint,
+            Light((x + 2.0, 2.0, 2.3), light, 0.4),
+        )
         for name, x, tint, light in (
             ("west", 0.0, (1.0, 0.6, 0.6), (1.0, 0.9, 0.8)),
             ("east", 4.0, (0.6, 0.6, 1.0), (0.9, 0.95, 1.0)),
@@ -83,4 +102,4 @@ def two_rooms(*instances: Instance) -> Home:
         Wall((0.0, 4.0), (0.0, 0.0), 0.1),
         Wall((4.0, 0.0), (4.0, 4.0), 0.1, (Opening("door", 1.5, 2.4, 0.0, 2.0),)),
     )
-    return Home("two_rooms", Stage(rooms, walls, 2.5), instances)
+    return Home("two_rooms", Stage(rooms, walls, 2.5), instances, library)

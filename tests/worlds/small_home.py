@@ -1,16 +1,19 @@
 """A home of two rooms with a door between them, furnished from a catalogue of four models made of boxes and hulls."""
 
 import math
+from pathlib import Path
 
-from uniteam.world.assets.catalogue import Box, Catalogue, CollisionShape, Hull, Model, Role
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.model import Box, CollisionShape, Hull, Model, Role
 from uniteam.world.homes.home import Home, Instance, Light, Opening, Room, Stage, Wall
+from uniteam.world.homes.polygon import rectangle
 
 SINK_FLOOR = 0.70
 TABLE_HEIGHT = 0.75
 
 
 def _model(id_: str, role: Role, size: tuple[float, float, float], mass: float, *shapes: CollisionShape) -> Model:
-    return Model(id_, role, id_, id_, size, mass, "test", shapes, (), "", "", "", "CC0", "")
+    return Model(id_, role, id_, id_, size, mass, "test", shapes, (), "", "", "", "CC0", "", Path(f"{id_}.glb"))
 
 
 def _ball(radius: float) -> Hull:
@@ -44,14 +47,14 @@ def instance(name: str, model: Model, x: float, y: float, z: float = 0.0, yaw: f
     return Instance(name, model.id, model.category, model.role == "object", (x, y, z), quaternion, "west")
 
 
-def small_home(*instances: Instance) -> Home:
+def small_home(*instances: Instance, library: Catalogue = CATALOGUE) -> Home:
     """Return rooms "west" (x 0 to 4) and "east" (4 to 8), y 0 to 4, with a door 0.9 m wide at y 1.5 to 2.4."""
     light = Light((2.0, 2.0, 2.4), (1.0, 1.0, 1.0), 0.4)
     rooms = tuple(
-        Room(name, "living_room", (x, 0.0), (x + 4.0, 4.0), "floor", "wall", (1.0, 1.0, 1.0), light)
+        Room(name, "living_room", rectangle((x, 0.0), (x + 4.0, 4.0)), None, None, (1.0, 1.0, 1.0), light)
         for name, x in (("west", 0.0), ("east", 4.0))
     )
     outer = [((0.0, 0.0), (8.0, 0.0)), ((8.0, 0.0), (8.0, 4.0)), ((8.0, 4.0), (0.0, 4.0)), ((0.0, 4.0), (0.0, 0.0))]
     walls = tuple(Wall(start, end, 0.1) for start, end in outer)
     inner = Wall((4.0, 0.0), (4.0, 4.0), 0.1, (Opening("door", 1.5, 2.4, 0.0, 2.0),))
-    return Home("small", Stage(rooms, (*walls, inner), 2.5), instances)
+    return Home("small", Stage(rooms, (*walls, inner), 2.5), instances, library)

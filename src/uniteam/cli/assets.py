@@ -7,7 +7,8 @@ from rich.console import Console
 from rich.table import Table
 
 from uniteam.errors import UnknownNameError
-from uniteam.world.assets.catalogue import Catalogue, Model, load_catalogue
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue
+from uniteam.world.assets.model import Model
 
 PER_SHEET = 48
 

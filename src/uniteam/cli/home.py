@@ -12,9 +12,9 @@ from rich.console import Console
 from rich.table import Table
 
 from uniteam.visualization.home_pictures import draw_plan, view_from_above, views_inside
-from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 from uniteam.world.generation.generate import generate_home
-from uniteam.world.homes.home import Home, Instance, Room
+from uniteam.world.homes.home import Home, Instance
 
 
 def home(
@@ -46,7 +46,7 @@ def _save(path: Path, image: NDArray[np.uint8]) -> None:
 
 
 def _table(generated: Home) -> Table:
-    area = sum(_area(room) for room in generated.stage.rooms)
+    area = sum(room.area for room in generated.stage.rooms)
     table = Table(title=f"home {generated.name}: {len(generated.stage.rooms)} rooms, {area:.0f} m2", show_lines=True)
     for heading in ("room", "m2", "receptacles", "decor", "objects"):
         table.add_column(heading, overflow="fold")
@@ -55,12 +55,8 @@ def _table(generated: Home) -> Table:
         receptacles = [i for i in inside if i.category in RECEPTACLE_CATEGORIES and not i.movable]
         decor = [i for i in inside if i.category not in RECEPTACLE_CATEGORIES and not i.movable]
         objects = [i for i in inside if i.movable]
-        table.add_row(room.name, f"{_area(room):.1f}", _counted(receptacles), _counted(decor), _counted(objects))
+        table.add_row(room.name, f"{room.area:.1f}", _counted(receptacles), _counted(decor), _counted(objects))
     return table
-
-
-def _area(room: Room) -> float:
-    return (room.high[0] - room.low[0]) * (room.high[1] - room.low[1])
 
 
 def _counted(instances: list[Instance]) -> str:

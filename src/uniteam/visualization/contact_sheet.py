@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import PinholeCamera
 from uniteam.visualization.shape_mesh import shapes_and_surfaces
-from uniteam.world.assets.catalogue import Model
+from uniteam.world.assets.catalogue import Catalogue
 from uniteam.world.assets.mesh import Mesh, load_mesh
+from uniteam.world.assets.model import Model
 from uniteam.world.homes.home import Home, Stage
 from uniteam.world.rendering.camera import render
 from uniteam.world.rendering.scene import Scene
@@ -43,7 +44,7 @@ def picture(model: Model, parts: dict[str, Mesh], side: int) -> Image:
     radius = 0.5 * math.hypot(*model.size)
     scale = 1.0 / radius
     scaled = {name: _scaled(mesh, scale, model.size[2] / 2) for name, mesh in parts.items()}
-    scene = Scene(Home("sheet", Stage((), (), 2.6), ()), scaled)
+    scene = Scene(Home("sheet", Stage((), (), 2.6), (), Catalogue({}, frozenset())), scaled)
     frame = render(scene, camera, _look_at_origin(np.array([0.62, -1.0, 0.62]), 1.02 / math.sin(math.radians(15.0))))
     rgb = frame.rgb.copy()
     rgb[frame.depth == 0] = _PAPER

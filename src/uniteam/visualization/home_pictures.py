@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import PinholeCamera, transform_points
-from uniteam.world.assets.catalogue import Catalogue, load_catalogue
+from uniteam.world.homes.fixed_mesh import section, stage_mesh
 from uniteam.world.homes.home import Home, Instance, Opening, Room, Wall
 from uniteam.world.rendering.camera import render
 from uniteam.world.rendering.scene import Scene
@@ -17,10 +17,16 @@ Image = NDArray[np.uint8]
 Colour = tuple[int, int, int]
 
 PIXELS_PER_METRE = 100
+"""Of a plan; fewer where the plan would be longer than `LONGEST_PLAN`."""
+LONGEST_PLAN = 6_000
+"""Pixels."""
 EYE_HEIGHT = 1.6
 """m."""
 
 _MARGIN = 0.6
+_FROM_WALLS = 0.22
+_SHARPEST = 0.3
+_CUT_HEIGHT = 1.2
 _INK: Colour = (45, 45, 50)
 _ROOM_COLOURS: dict[str, Colour] = {
     "living_room": (250, 232, 200), "kitchen": (252, 214, 190), "dining_room": (245, 224, 228),
@@ -35,7 +41,7 @@ _INSIDE = PinholeCamera.from_horizontal_fov(800, 600, math.radians(84.0))
 
 def draw_plan(home: Home) -> Image:
     """Return the plan from above, (H, W, 3) RGB: rooms by kind, furniture with names, objects as dots, a scale."""
-    return _Plan(home, load_catalogue()).draw()
+    return _Plan(home).draw()
 
 
 def view_from_above(home: Home, width: int = 1200) -> Image:
@@ -63,12 +69,14 @@ def views_inside(home: Home) -> Iterator[tuple[str, Image]]:
 
 
 def _corner_poses(room: Room) -> Iterator[NDArray[np.float64]]:
-    """Yield camera_to_world (4, 4) near each corner, looking at the opposite one and a little down."""
-    low, high = np.array(room.low), np.array(room.high)
-    centre = (low + high) / 2
-    for corner in ((0, 0), (1, 0), (1, 1), (0, 1)):
-        eye = np.where(corner, high - 0.22, low + 0.22)
-        yield _looking((*eye, EYE_HEIGHT), (*(centre + (centre - eye) * 0.5), 0.55))
+    """Yield camera_to_world (4, 4) in each corner that opens inwards, looking past the middle and a little down."""
+    corners, middle = np.array(room.outline), np.array(room.middle)
+    for before, corner, after in zip(np.roll(corners, 1, axis=0), corners, np.roll(corners, -1, axis=0), strict=True):
+        into, on = (corner - before) / math.dist(before, corner), (after - corner) / math.dist(corner, after)
+        turn = into[0] * on[1] - into[1] * on[0]
+        if turn > _SHARPEST:
+            eye = corner + _FROM_WALLS * (on - into) / turn
+            yield _looking((*eye, EYE_HEIGHT), (*(middle + (middle - eye) * 0.5), 0.55))
 
 
 def _looking(eye: tuple[float, ...], target: tuple[float, ...]) -> NDArray[np.float64]:
@@ -90,18 +98,21 @@ def _bounds(home: Home) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 class _Plan:
     """Draws one home on one canvas; points are in m of the world, y up."""
 
-    def __init__(self, home: Home, catalogue: Catalogue) -> None:
-        self._home, self._catalogue = home, catalogue
+    def __init__(self, home: Home) -> None:
+        self._home = home
         self._low, self._high = _bounds(home)
-        width, height = np.ceil((self._high - self._low) * PIXELS_PER_METRE).astype(int)
+        self._scale = min(PIXELS_PER_METRE, LONGEST_PLAN / float((self._high - self._low).max()))
+        width, height = np.ceil((self._high - self._low) * self._scale).astype(int)
         self._canvas = np.full((height, width, 3), 255, np.uint8)
 
     def draw(self) -> Image:
         for room in self._home.stage.rooms:
-            self._fill(np.array([room.low, (room.high[0], room.low[1]), room.high, (room.low[0], room.high[1])]),
-                       _ROOM_COLOURS.get(room.kind, (235, 235, 235)), None)  # fmt: skip
+            self._fill(np.array(room.outline), _ROOM_COLOURS.get(room.kind, (235, 235, 235)), None)
         for wall in self._home.stage.walls:
             self._draw_wall(wall)
+        mesh = stage_mesh(self._home.stage)
+        for start, end in [] if mesh is None else section(mesh, _CUT_HEIGHT):
+            cv2.line(self._canvas, self._pixel(start), self._pixel(end), _INK, 3, cv2.LINE_AA)
         pieces = sorted(self._home.instances, key=lambda i: (i.movable, i.position[2] + self._size(i)[2]))
         for piece in pieces:
             if not piece.movable:
@@ -110,15 +121,15 @@ class _Plan:
             if piece.movable:
                 cv2.circle(self._canvas, self._pixel(piece.position[:2]), 5, _ROLE_COLOURS["object"], -1, cv2.LINE_AA)
         for room in self._home.stage.rooms:
-            self._write(room.name.replace("_", " "), (room.low[0] + 0.12, room.high[1] - 0.28), 0.55, 2)
+            self._write(room.name.replace("_", " "), _label_corner(room), 0.55, 2)
         self._draw_scale()
         return self._canvas
 
     def _size(self, piece: Instance) -> tuple[float, float, float]:
-        return self._catalogue[piece.model].size
+        return self._home.model_of(piece).size
 
     def _pixel(self, point: NDArray[np.float64] | tuple[float, float]) -> tuple[int, int]:
-        x, y = (np.array([point[0], self._high[1] - point[1] + self._low[1]]) - self._low) * PIXELS_PER_METRE
+        x, y = (np.array([point[0], self._high[1] - point[1] + self._low[1]]) - self._low) * self._scale
         return round(float(x)), round(float(y))
 
     def _fill(self, outline: NDArray[np.float64], colour: Colour, edge: Colour | None) -> None:
@@ -138,7 +149,7 @@ class _Plan:
         self._fill(_strip(wall, opening.start, opening.end, wall.thickness), colour, _INK)
 
     def _draw_piece(self, piece: Instance) -> None:
-        model = self._catalogue[piece.model]
+        model = self._home.model_of(piece)
         hx, hy = model.size[0] / 2, model.size[1] / 2
         corners = np.array([(-hx, -hy, 0), (hx, -hy, 0), (hx, hy, 0), (-hx, hy, 0)])
         outline = transform_points(piece.model_to_world(), corners)[:, :2]
@@ -153,7 +164,7 @@ class _Plan:
 
     def _label(self, text: str, centre: NDArray[np.float64]) -> None:
         (width, height), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, 0.36, 1)
-        self._write(text, tuple(centre - np.array([width, height]) / (2 * PIXELS_PER_METRE)), 0.36, 1)
+        self._write(text, tuple(centre - np.array([width, height]) / (2 * self._scale)), 0.36, 1)
 
     def _write(self, text: str, at: tuple[float, float], size: float, weight: int) -> None:
         cv2.putText(self._canvas, text, self._pixel(at), cv2.FONT_HERSHEY_SIMPLEX, size, _INK, weight, cv2.LINE_AA)
@@ -162,6 +173,12 @@ class _Plan:
         x, y = self._low[0] + 0.15, self._low[1] + 0.15
         cv2.line(self._canvas, self._pixel((x, y)), self._pixel((x + 2.0, y)), _INK, 3)
         self._write("2 m", (x + 2.1, y - 0.04), 0.45, 1)
+
+
+def _label_corner(room: Room) -> tuple[float, float]:
+    """Return where a room's name begins: below its highest corner, the leftmost of them."""
+    x, y = max(room.outline, key=lambda corner: (corner[1], -corner[0]))
+    return x + 0.12, y - 0.28
 
 
 def _strip(wall: Wall, start: float, end: float, thickness: float) -> NDArray[np.float64]:

@@ -6,8 +6,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.world.assets.catalogue import Box, CollisionShape, Model, SupportSurface
 from uniteam.world.assets.mesh import Material, Mesh
+from uniteam.world.assets.model import Box, CollisionShape, Model, SupportSurface
 
 _GREEN = (0.10, 0.85, 0.20)
 _LIFT = 0.004

@@ -2,6 +2,7 @@
 
 import json
 import struct
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +12,10 @@ from uniteam.cli.assets import assets, write_sheets
 from uniteam.errors import DamagedFileError, UnknownNameError
 from uniteam.visualization.contact_sheet import draw_sheet
 from uniteam.visualization.shape_mesh import hull_triangles, shapes_and_surfaces
-from uniteam.world.assets import textures, verify
-from uniteam.world.assets.catalogue import Model, load_catalogue
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue
 from uniteam.world.assets.mesh import load_mesh
+from uniteam.world.assets.model import Model
+from uniteam.world.assets.verify import library_problems
 
 
 def _model(category: str) -> Model:
@@ -54,7 +56,7 @@ def test_a_cut_off_model_is_reported_as_damaged(tmp_path: Path) -> None:
     data = _model("cup").path.read_bytes()
     path = tmp_path / "cup.glb"
     path.write_bytes(data[: len(data) // 2])
-    with pytest.raises(DamagedFileError, match="reinstall"):
+    with pytest.raises(DamagedFileError, match="no complete glTF 2 binary"):
         load_mesh(path)
 
 
@@ -75,21 +77,17 @@ def test_a_model_whose_document_names_no_mesh_is_reported_as_damaged(tmp_path: P
 
 def test_an_unknown_texture_is_answered_with_the_nearest() -> None:
     with pytest.raises(UnknownNameError, match="planks_oak"):
-        textures.load_texture("plank_oak")
+        load_catalogue().texture("plank_oak")
 
 
 def test_a_changed_and_a_missing_file_are_found(tmp_path: Path) -> None:
     changed, missing = tmp_path / "changed.glb", tmp_path / "missing.glb"
     changed.write_bytes(b"something else")
-    pack = verify.PACK_DIRECTORY
-    verify.PACK_DIRECTORY = tmp_path
-    try:
-        assert list(verify._file_problems(changed, "0" * 64)) == [
-            "changed.glb of the pack has changed since it was built"
-        ]
-        assert list(verify._file_problems(missing, "0" * 64)) == ["missing.glb is missing from the pack"]
-    finally:
-        verify.PACK_DIRECTORY = pack
+    cup = replace(_model("cup"), checksum="0" * 64)
+    library = Catalogue({"one": replace(cup, path=changed), "two": replace(cup, path=missing)}, frozenset())
+    one, two = library_problems(library)
+    assert one.endswith("changed.glb has changed since it was built")
+    assert two.endswith("missing.glb is missing")
 
 
 def test_a_sheet_shows_every_model_on_its_paper() -> None:

@@ -9,16 +9,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from uniteam.world.assets.catalogue import (
-    PACK_DIRECTORY,
-    RECEPTACLE_CATEGORIES,
-    Box,
-    CollisionShape,
-    Model,
-    load_catalogue,
-)
+from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.assets.files import PACK_DIRECTORY
 from uniteam.world.assets.mesh import load_mesh
-from uniteam.world.assets.textures import load_texture, texture_names, texture_size
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Box, CollisionShape, Model
+from uniteam.world.assets.textures import TextureKind, load_texture
 from uniteam.world.assets.verify import verify_pack
 
 CATALOGUE = load_catalogue()
@@ -181,19 +176,19 @@ def test_masses_are_plausible() -> None:
 
 
 @pytest.mark.parametrize("kind", ["floor", "wall"])
-def test_textures_are_square_tiles_of_a_known_size(kind: str) -> None:
-    names = texture_names(kind)  # type: ignore[arg-type]
+def test_textures_are_square_tiles_of_a_known_size(kind: TextureKind) -> None:
+    names = CATALOGUE.texture_names(kind)
     assert len(names) >= 15
     for name in names:
-        image = load_texture(name)
+        image = load_texture(CATALOGUE.texture(name))
         assert image.dtype == np.uint8
         assert image.shape == (512, 512, 3)
-        assert 0.2 <= texture_size(name) <= 3.0
+        assert 0.2 <= CATALOGUE.texture(name).size <= 3.0
 
 
 def test_textures_tile_without_a_seam() -> None:
     for name in ("planks_oak", "plaster_white", "carpet_grey"):
-        grey = cv2.cvtColor(load_texture(name), cv2.COLOR_RGB2GRAY).astype(float)
+        grey = cv2.cvtColor(load_texture(CATALOGUE.texture(name)), cv2.COLOR_RGB2GRAY).astype(float)
         seam = np.abs(grey[:, 0] - grey[:, -1]).mean()
         inner = np.abs(np.diff(grey, axis=1)).mean()
         assert seam < 3 * inner + 2

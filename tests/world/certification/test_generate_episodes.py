@@ -10,7 +10,8 @@ from uniteam.cli.main import main
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
 from uniteam.stretch import HEAD_CAMERA_HALF
-from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, load_catalogue
+from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 from uniteam.world.certification.candidate_tasks import Tally, Task, in_order_of_variety, possible_tasks
 from uniteam.world.certification.generate_episodes import START_DISTANCE, EpisodeMaker
 from uniteam.world.certification.view_points import Viewpoints
@@ -59,7 +60,7 @@ def test_view_points_are_reachable_near_and_see_the_instance(home: Home, simulat
 def test_furniture_is_seen_from_within_the_view_distance_of_its_rectangle(home: Home, simulator: Simulator) -> None:
     views = Viewpoints(home, simulator.floor, simulator.physics.model)
     bed = home.of_category("bed")[0]
-    distances = distance_to_footprint(bed, np.array(views.of(bed.name)))
+    distances = distance_to_footprint(home, bed, np.array(views.of(bed.name)))
     assert len(distances) > 20
     assert distances.max() <= VIEW_DISTANCE
     assert distances.max() > 1.2

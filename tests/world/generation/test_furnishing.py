@@ -1,11 +1,13 @@
 """Where furniture is proposed, and which proposals a room takes."""
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from uniteam.world.assets.catalogue import Box, Catalogue, Model, Role, SupportSurface
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.model import Box, Model, Role, SupportSurface
 from uniteam.world.generation.furniture import hanging, standing
 from uniteam.world.generation.furniture.doors import fitting_leaves, open_leaves
 from uniteam.world.generation.furniture.piece import Piece, Site
@@ -27,7 +29,7 @@ def model(width: float, depth: float, height: float, role: Role = "receptacle", 
     return Model(
         f"{category}_{width}_{depth}_{height}", role, category, category, (width, depth, height), 1.0, "test",
         (Box((0.0, 0.0, height / 2), (width, depth, height)),), (SupportSurface(height, outline, 3.0),),
-        "here", "", "", "CC0", "",
+        "here", "", "", "CC0", "", Path("box.glb"),
     )  # fmt: skip
 
 

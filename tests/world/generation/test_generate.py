@@ -13,10 +13,12 @@ from numpy.typing import NDArray
 from uniteam.cli.home import home as home_command
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import transform_points
-from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Pool, load_catalogue
+from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Pool
 from uniteam.world.generation.generate import generate_home
 from uniteam.world.generation.objects.settling import resting_on
-from uniteam.world.homes.home import Home, Instance, home_from_data, home_to_data
+from uniteam.world.homes.home import Home, Instance
+from uniteam.world.homes.serialization import home_from_data, home_to_data
 from uniteam.world.physics.navigable_floor import NavigableFloor
 from uniteam.world.physics.physics import Physics
 

@@ -8,12 +8,14 @@ import pytest
 from worlds.small_home import BALL, CATALOGUE, SINK, TABLE, instance, small_home
 
 from uniteam.geometry import BasePose
-from uniteam.world.assets.catalogue import Box, Catalogue
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.model import Box
+from uniteam.world.homes.home import Instance
 from uniteam.world.physics.navigable_floor import NavigableFloor
 
 
-def floor_of(*instances) -> NavigableFloor:
-    return NavigableFloor(small_home(*instances), CATALOGUE)
+def floor_of(*instances: Instance, library: Catalogue = CATALOGUE) -> NavigableFloor:
+    return NavigableFloor(small_home(*instances, library=library))
 
 
 def test_clearance_is_the_distance_to_the_nearest_wall_or_furniture() -> None:
@@ -46,15 +48,15 @@ def test_table_holds_the_mast_back_though_its_legs_stand_apart() -> None:
 
 def test_ball_on_the_floor_is_an_obstacle_and_a_rug_is_not() -> None:
     rug = replace(TABLE, id="rug", shapes=(Box((0.0, 0.0, 0.005), (1.0, 1.0, 0.01)),))
-    home = small_home(instance("rug", rug, 1.0, 1.0), instance("ball", BALL, 3.0, 3.0))
-    floor = NavigableFloor(home, Catalogue({**CATALOGUE.models, "rug": rug}, frozenset()))
+    library = Catalogue({**CATALOGUE.models, "rug": rug}, frozenset())
+    floor = floor_of(instance("rug", rug, 1.0, 1.0), instance("ball", BALL, 3.0, 3.0), library=library)
     assert floor.clearance(1.0, 1.0) == pytest.approx(0.95, abs=0.015)
     assert not floor.is_free(3.0, 2.7)
 
 
 def test_what_hangs_higher_than_the_robot_is_no_obstacle() -> None:
     lamp = replace(TABLE, id="lamp", shapes=(Box((0.0, 0.0, 1.6), (0.5, 0.5, 0.3)),))
-    floor = NavigableFloor(small_home(instance("l", lamp, 2.0, 2.0)), Catalogue({"lamp": lamp}, frozenset()))
+    floor = floor_of(instance("l", lamp, 2.0, 2.0), library=Catalogue({"lamp": lamp}, frozenset()))
     assert floor.is_free(2.0, 2.0)
 
 

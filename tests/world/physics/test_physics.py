@@ -2,20 +2,22 @@
 
 import numpy as np
 import pytest
-from worlds.small_home import BALL, CATALOGUE, CUP, SINK, SINK_FLOOR, TABLE, TABLE_HEIGHT, instance, small_home
+from numpy.typing import NDArray
+from worlds.small_home import BALL, CUP, SINK, SINK_FLOOR, TABLE, TABLE_HEIGHT, instance, small_home
 
 from uniteam.errors import UnknownNameError
 from uniteam.geometry import pose_matrix, yaw_quaternion
+from uniteam.world.homes.home import Instance
 from uniteam.world.physics.physics import Physics
 
 FURNITURE = (instance("table", TABLE, 1.0, 1.0), instance("sink", SINK, 2.5, 2.5, yaw=0.3))
 
 
-def physics_of(*movable) -> Physics:
-    return Physics(small_home(*FURNITURE, *movable), CATALOGUE)
+def physics_of(*movable: Instance) -> Physics:
+    return Physics(small_home(*FURNITURE, *movable))
 
 
-def pose_at(x: float, y: float, z: float) -> np.ndarray:
+def pose_at(x: float, y: float, z: float) -> NDArray[np.float64]:
     return pose_matrix(np.array([x, y, z]), np.array(yaw_quaternion(0.4)))
 
 

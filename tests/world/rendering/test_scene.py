@@ -1,5 +1,7 @@
 """A home as the camera sees it: rooms, walls, doors, windows, instances that move and hide."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from worlds.camera_scenes import CAMERA, FORWARD, NOWHERE, RED, looking, quad, two_rooms
@@ -8,7 +10,7 @@ from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import PinholeCamera, invert_transform, pose_matrix, transform_points, yaw_quaternion
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.mesh import Material
-from uniteam.world.homes.home import Instance, Stage, Wall
+from uniteam.world.homes.home import Instance, Wall
 from uniteam.world.rendering.camera import render
 from uniteam.world.rendering.kernels.culling import coarsen, is_hidden
 from uniteam.world.rendering.meshes.stage_mesh import stage_parts
@@ -174,7 +176,7 @@ def test_the_floor_is_darker_at_the_foot_of_a_washing_machine() -> None:
 def test_walls_in_one_line_meet_and_do_not_overlap() -> None:
     home = two_rooms()
     cut = [Wall((0.0, 0.0), (4.0, 0.0), 0.1), Wall((4.0, 0.0), (8.0, 0.0), 0.1), *home.stage.walls[1:]]
-    parts = stage_parts(Stage(home.stage.rooms, tuple(cut), home.stage.ceiling_height))
+    parts = stage_parts(replace(home.stage, walls=tuple(cut)), home.library)
     first, second = (
         np.concatenate([part.mesh.vertices[:, 0] for part in parts if part.name == name])
         for name in ("wall_0", "wall_1")

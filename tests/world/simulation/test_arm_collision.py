@@ -10,7 +10,8 @@ from worlds.small_home import BALL, CATALOGUE, CUP, SINK, TABLE, TABLE_HEIGHT, i
 from uniteam.geometry import BasePose
 from uniteam.interface import Joints
 from uniteam.stretch import NAVIGATION_POSTURE, gripper_to_base
-from uniteam.world.assets.catalogue import Box, Catalogue
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.model import Box
 from uniteam.world.physics.collision_shapes import model_vertices
 from uniteam.world.physics.physics import Physics
 from uniteam.world.simulation.arm_collision import TOUCH_DEPTH, ArmCollider
@@ -24,7 +25,7 @@ EXTENDED = replace(STRAIGHT, arm=0.52)
 
 
 def collider_of(*things, catalogue: Catalogue = CATALOGUE) -> ArmCollider:
-    return ArmCollider(Physics(small_home(*things), catalogue))
+    return ArmCollider(Physics(small_home(*things, library=catalogue)))
 
 
 def facing_south_wall(distance: float, joints: Joints = STRAIGHT) -> RobotState:
@@ -84,7 +85,7 @@ def test_gripper_above_a_table_is_free_and_lowered_onto_it_collides() -> None:
 
 
 def test_object_is_met_where_it_has_fallen_to() -> None:
-    physics = Physics(small_home(instance("ball", BALL, 1.0, 1.0, 0.3)), CATALOGUE)
+    physics = Physics(small_home(instance("ball", BALL, 1.0, 1.0, 0.3)))
     collider = ArmCollider(physics)
     path = (RobotState(BasePose(1.0, 1.42, 0.0), Joints(0.225, 0.0)),)
     assert collider.first_hit(path, None) == "ball"

@@ -14,7 +14,6 @@ from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction, JointDisplacement, Joints
 from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE, NAVIGATION_POSTURE, head_camera_to_base
 from uniteam.world.assets.catalogue import load_catalogue
-from uniteam.world.assets.textures import texture_names
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.rendering.camera import render
 from uniteam.world.rendering.meshes.robot_mesh import part_poses, robot_parts
@@ -43,9 +42,10 @@ def furnished_home() -> Home:
         placed("mug_behind", MUG, 2.1, 2.0, 0.0),
         placed("mug_sink", MUG, 6.4, 3.45, 0.85),
         placed("bowl_1", BOWL, 2.5, 3.4, TABLE_HEIGHT),
+        library=load_catalogue(),
     )
-    look = {"floor_texture": texture_names("floor")[0], "wall_texture": texture_names("wall")[0]}
-    rooms = tuple(replace(room, **look) for room in home.stage.rooms)
+    floor, wall = home.library.texture_names("floor")[0], home.library.texture_names("wall")[0]
+    rooms = tuple(replace(room, floor_texture=floor, wall_texture=wall) for room in home.stage.rooms)
     return replace(home, stage=replace(home.stage, rooms=rooms))
 
 

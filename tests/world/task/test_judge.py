@@ -195,4 +195,6 @@ def test_the_distance_to_furniture_is_that_to_its_turned_rectangle(stage: Stage)
     beside = (to_world @ [width / 2 + 0.7, 0.1, 0.0, 1.0])[:2]
     corner = (to_world @ [width / 2 + 0.3, depth / 2 + 0.4, 0.0, 1.0])[:2]
     inside = (to_world @ [0.0, depth / 2 - 0.01, 0.0, 1.0])[:2]
-    assert distance_to_footprint(turned, np.array([beside, corner, inside])) == pytest.approx([0.7, 0.5, 0.0])
+    assert distance_to_footprint(stage.home, turned, np.array([beside, corner, inside])) == pytest.approx(
+        [0.7, 0.5, 0.0]
+    )

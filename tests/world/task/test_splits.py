@@ -13,6 +13,7 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Instruction, Joints
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home, Instance, Light, Room, Stage
+from uniteam.world.homes.polygon import rectangle
 from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
 from uniteam.world.task.lattice import lattice_points_near, points_to_runs, runs_to_points
 from uniteam.world.task.splits import load_split, write_split
@@ -22,14 +23,22 @@ UPRIGHT = (1.0, 0.0, 0.0, 0.0)
 
 def _home(name: str) -> Home:
     light = Light((1.0, 1.0, 2.4), (1.0, 1.0, 1.0), 0.4)
-    room = Room("hall_1", "hall", (0.0, 0.0), (4.0, 3.0), "wood", "plaster", (1.0, 0.9, 0.8), light)
+    room = Room(
+        "hall_1", "hall", rectangle((0.0, 0.0), (4.0, 3.0)), "planks_oak", "plaster_white", (1.0, 0.9, 0.8), light
+    )
     things = tuple(
         Instance(
-            f"{category}_{k}", f"a_{category}", category, category == "cup", (1.0 + k, 1.0, 0.0), UPRIGHT, "hall_1"
+            f"{category}_{k}",
+            load_catalogue().of_category(category)[0].id,
+            category,
+            category == "cup",
+            (1.0 + k, 1.0, 0.0),
+            UPRIGHT,
+            "hall_1",
         )
         for category, k in (("table", 1), ("sink", 1), ("sink", 2), ("cup", 1))
     )
-    return Home(name, Stage((room,), (), 2.6), things, seed=7)
+    return Home(name, Stage((room,), (), 2.6), things, load_catalogue(), seed=7)
 
 
 def _episode(identifier: str, home: str) -> Episode:

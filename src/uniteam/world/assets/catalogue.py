@@ -1,116 +1,54 @@
-"""What the pack of models holds: a model's name, size, collision shapes and the surfaces that can hold things.
+"""A library of models and textures, and how it is read from its folder.
 
-The model frame has its origin at the centre of the bounding box's floor: x right, y back (the front faces -y), z up,
-metres, at real size.
+A library is a folder with a `catalogue.json` (see `catalogue_file`), the models' glTF binaries in `models/`, and
+perhaps floor and wall textures in `textures/` (see `textures`). The package comes with one, the pack.
 """
 
-import json
-from collections.abc import Mapping
-from dataclasses import dataclass
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import Any, Literal
 
-from uniteam.errors import DamagedFileError, UnknownNameError
-
-PACK_DIRECTORY = Path(__file__).parent / "pack"
-
-RECEPTACLE_CATEGORIES = (
-    "bathtub", "bed", "bench", "cabinet", "chair", "chest_of_drawers", "couch", "counter", "filing_cabinet", "hamper",
-    "serving_cart", "shelves", "shoe_rack", "sink", "stand", "stool", "table", "toilet", "trunk", "wardrobe",
-    "washer_dryer",
-)  # fmt: skip
-
-Role = Literal["receptacle", "object", "decor", "door"]
-Pool = Literal["train", "test"]
-Point2 = tuple[float, float]
-Point3 = tuple[float, float, float]
-
-
-@dataclass(frozen=True)
-class Box:
-    """An axis-aligned box of the model frame: centre and full extents (m)."""
-
-    center: Point3
-    size: Point3
-
-
-@dataclass(frozen=True)
-class Hull:
-    """A convex hull of at most 32 vertices (m, model frame)."""
-
-    vertices: tuple[Point3, ...]
-
-
-CollisionShape = Box | Hull
-
-
-@dataclass(frozen=True)
-class SupportSurface:
-    """A flat region that can hold a thing.
-
-    Attributes:
-        height: m above the model's floor.
-        outline: a convex polygon (x, y), counter-clockwise (m, model frame).
-        clearance: free height above it (m); large where it is open to the air.
-    """
-
-    height: float
-    outline: tuple[Point2, ...]
-    clearance: float
-
-
-@dataclass(frozen=True)
-class Model:
-    """One model of the pack.
-
-    Attributes:
-        id: unique in the catalogue, and the stem of its file.
-        role: what it is for: a receptacle, a graspable object, decor, or a door.
-        category: one of the receptacle classes, an object class, or a kind of decor ("refrigerator").
-        name: what a person would call it.
-        size: (x, y, z) extents of the bounding box (m).
-        mass: kg.
-        pool: whether training homes may use it, or only the others.
-        shapes: what it collides as; empty for what cannot be touched (a rug).
-        surfaces: where it can hold things.
-        source, source_id, creator, licence: where it is from and whom to thank.
-        checksum: SHA-256 of its file.
-    """
-
-    id: str
-    role: Role
-    category: str
-    name: str
-    size: Point3
-    mass: float
-    pool: Pool
-    shapes: tuple[CollisionShape, ...]
-    surfaces: tuple[SupportSurface, ...]
-    source: str
-    source_id: str
-    creator: str
-    licence: str
-    checksum: str
-
-    @property
-    def path(self) -> Path:
-        """The model's glTF binary."""
-        return PACK_DIRECTORY / "models" / f"{self.id}.glb"
+from uniteam.errors import UnknownNameError
+from uniteam.world.assets.catalogue_file import read_catalogue_file
+from uniteam.world.assets.files import PACK_DIRECTORY, damaged, modified, read_bytes
+from uniteam.world.assets.model import Model, Pool
+from uniteam.world.assets.textures import Texture, TextureKind, read_textures
 
 
 @dataclass(frozen=True)
 class Catalogue:
-    """Every model of the pack by id, and the object categories that no training home holds."""
+    """What a library holds.
+
+    Attributes:
+        models: by id.
+        unseen_categories: object classes that no training home holds.
+        textures: of floors and walls, by name.
+        folder: where it was read from; None where it was made in memory, as tests do.
+    """
 
     models: Mapping[str, Model]
     unseen_categories: frozenset[str]
+    textures: Mapping[str, Texture] = field(default_factory=dict)
+    folder: Path | None = None
 
     def __getitem__(self, model_id: str) -> Model:
         try:
             return self.models[model_id]
         except KeyError:
             raise UnknownNameError("model", model_id, self.models) from None
+
+    def texture(self, name: str) -> Texture:
+        """Return the texture of a name; raises UnknownNameError."""
+        try:
+            return self.textures[name]
+        except KeyError:
+            raise UnknownNameError("texture", name, self.textures) from None
+
+    def texture_names(self, kind: TextureKind) -> tuple[str, ...]:
+        """Return the names of the textures for floors or for walls, sorted."""
+        return tuple(sorted(name for name, texture in self.textures.items() if kind in texture.kinds))
 
     @cached_property
     def object_categories(self) -> tuple[str, ...]:
@@ -122,37 +60,64 @@ class Catalogue:
         found = [m for m in self.models.values() if m.category == category and pool in (None, m.pool)]
         return tuple(sorted(found, key=lambda model: model.id))
 
+    @cached_property
+    def digest(self) -> str:
+        """A SHA-256 of all that results depend on: models, textures, unseen classes, and what their files hold now.
 
-def _shape(data: dict[str, Any]) -> CollisionShape:
-    if "hull" in data:
-        return Hull(tuple(_point(p) for p in data["hull"]))
-    return Box(_point(data["center"]), _point(data["size"]))
+        The meshes of the robot count where they lie in the library's folder, as they do in the pack.
+
+        Raises:
+            DamagedFileError: a file is missing or cannot be read.
+        """
+        content = hashlib.sha256(repr(sorted(self.unseen_categories)).encode())
+        for model in sorted(self.models.values(), key=lambda m: m.id):
+            facts = (model.id, model.role, model.category, model.name, model.size, model.mass, model.pool)
+            content.update(repr((facts, model.shapes, model.surfaces)).encode())
+        for name, texture in sorted(self.textures.items()):
+            content.update(repr((name, texture.kinds, texture.size)).encode())
+        for path in self._files():
+            content.update(hashlib.sha256(read_bytes(path, "the file")).digest())
+        return content.hexdigest()
+
+    def _files(self) -> Iterator[Path]:
+        yield from (self.models[name].path for name in sorted(self.models))
+        yield from (self.textures[name].path for name in sorted(self.textures))
+        if self.folder is not None:
+            yield from sorted((self.folder / "robot").glob("*.glb"))
 
 
-def _point(values: list[float]) -> Point3:
-    x, y, z = values
-    return (x, y, z)
-
-
-def _model(data: dict[str, Any]) -> Model:
-    shapes = tuple(_shape(s) for s in data["shapes"])
-    surfaces = tuple(
-        SupportSurface(s["height"], tuple((x, y) for x, y in s["outline"]), s["clearance"]) for s in data["surfaces"]
-    )
-    return Model(**{**data, "size": _point(data["size"]), "shapes": shapes, "surfaces": surfaces})
-
-
-@lru_cache(maxsize=1)
 def load_catalogue() -> Catalogue:
-    """Read the pack's catalogue.
+    """Return the pack; raises DamagedFileError where it is damaged."""
+    return load_library(PACK_DIRECTORY)
+
+
+def load_library(folder: Path | str) -> Catalogue:
+    """Return the library of a folder, read once as long as its catalogue does not change.
 
     Raises:
-        DamagedFileError: the file is missing or is not a catalogue.
+        DamagedFileError: the folder has no catalogue, or it or the list of textures is not what it should be.
     """
-    path = PACK_DIRECTORY / "catalogue.json"
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        models = {m["id"]: _model(m) for m in data["models"]}
-        return Catalogue(models, frozenset(data["unseen_categories"]))
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise DamagedFileError(f"the model catalogue {path} cannot be read ({error}); reinstall uniteam") from error
+    root = Path(folder).resolve()
+    return _read_library(root, modified(root / "catalogue.json"), modified(root / "textures" / "textures.json"))
+
+
+@lru_cache(maxsize=8)
+def _read_library(folder: Path, *_: object) -> Catalogue:
+    models, content = read_catalogue_file(folder)
+    own = Catalogue(models, frozenset(content.unseen_categories), read_textures(folder), folder)
+    return _added_to(load_catalogue(), own) if content.adds_to_pack else own
+
+
+def _added_to(pack: Catalogue, own: Catalogue) -> Catalogue:
+    """Return the pack with the models and textures of another library besides, which keeps its folder."""
+    assert own.folder is not None, "it was read from one"
+    taken = sorted((pack.models.keys() & own.models) | (pack.textures.keys() & own.textures))
+    if taken:
+        reason = f"'{taken[0]}' is a name of the pack already, to which this library adds"
+        raise damaged(own.folder / "catalogue.json", "the catalogue of models", reason)
+    return Catalogue(
+        {**pack.models, **own.models},
+        pack.unseen_categories | own.unseen_categories,
+        {**pack.textures, **own.textures},
+        own.folder,
+    )

@@ -1,26 +1,34 @@
-"""Triangle meshes of the pack, read from its glTF binaries.
+"""Triangle meshes, read from glTF 2.0 binaries (https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html).
 
-The reader knows the subset of glTF 2.0 that `tools/build_assets.py` writes: one node, whose rotation stands the z-up
-vertices up for other programs and which is left out here; triangles, float positions and texture coordinates,
-signed-byte normals (KHR_mesh_quantization), base colours and JPEG textures within the file.
+Read are the triangles of the scene's nodes with positions, normals, texture coordinates, base colours, and JPEG or PNG
+textures within the file; skins, morphing, animations and transparency are left out. glTF has y up and a model's front
+to +z; what is returned has z up and its front to -y.
 """
 
-import json
 import struct
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-import cv2
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.errors import DamagedFileError
+from uniteam.geometry import quaternion_to_matrix
+from uniteam.world.assets.files import damaged, read_bytes
+from uniteam.world.assets.gltf import GltfBinary, MaterialEntry, MeshPart, Node, Primitive, read_gltf
+from uniteam.world.assets.image import decode_image
 
 Color = tuple[float, float, float]
+Matrix = NDArray[np.float64]
 
-_COMPONENT_TYPES = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
-_COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
+MOST_TRIANGLES = 1_000_000
+FARTHEST = 1_000.0
+"""No vertex lies farther than this from the origin along an axis (m)."""
+
+_TRIANGLES = 4
+_LINES = frozenset(range(4))
+_Z_UP = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
 
 
 @dataclass(frozen=True)
@@ -52,79 +60,166 @@ class Mesh:
     materials: tuple[Material, ...]
 
 
+@dataclass(frozen=True)
+class _Piece:
+    """The triangles of one primitive in the mesh's frame; arrays as in `Mesh`, of one material."""
+
+    vertices: NDArray[np.float32]
+    normals: NDArray[np.float32]
+    uvs: NDArray[np.float32]
+    triangles: NDArray[np.int64]
+    material: int
+
+
 def load_mesh(path: Path) -> Mesh:
-    """Read a model of the pack.
+    """Read the mesh of a glTF binary.
 
     Raises:
-        DamagedFileError: the file is missing or is not a glTF binary of the pack's kind.
+        DamagedFileError: the file is missing, is damaged, holds no triangle, or needs what is not read here.
     """
+    content = read_bytes(path, "the model")
     try:
-        document, blob = _read_chunks(path.read_bytes())
-        return _mesh(document, blob)
-    except (OSError, ValueError, KeyError, IndexError, TypeError, struct.error, cv2.error) as error:
-        raise DamagedFileError(f"the model {path} cannot be read ({error}); reinstall uniteam") from error
+        return _mesh(read_gltf(content))
+    except (ValueError, IndexError, struct.error, msgspec.MsgspecError, RecursionError) as error:
+        raise damaged(path, "the model", str(error)) from error
 
 
-def _read_chunks(data: bytes) -> tuple[dict[str, Any], memoryview]:
-    magic, version, length = struct.unpack_from("<4sII", data)
-    if magic != b"glTF" or version != 2 or length != len(data):
-        raise ValueError("not a complete glTF 2 binary")
-    json_length = struct.unpack_from("<I", data, 12)[0]
-    document = json.loads(data[20 : 20 + json_length])
-    return document, memoryview(data)[28 + json_length :]
+def _mesh(gltf: GltfBinary) -> Mesh:
+    document = gltf.document
+    pieces = [
+        _piece(gltf, p, to_mesh) for part, to_mesh in _parts(gltf) for p in part.primitives if p.mode not in _LINES
+    ]
+    if not pieces:
+        raise ValueError("it holds no triangle")
+    if sum(len(piece.triangles) for piece in pieces) > MOST_TRIANGLES:
+        raise ValueError(f"it has more than {MOST_TRIANGLES} triangles")
+    starts = np.cumsum([0, *(len(piece.vertices) for piece in pieces)])
+    plain = [MaterialEntry()] if any(piece.material == len(document.materials) for piece in pieces) else []
+    materials = [_material(gltf, entry) for entry in (*document.materials, *plain)]
+    if max(piece.material for piece in pieces) >= len(materials):
+        raise ValueError("a primitive is of a material that does not exist")
+    return Mesh(
+        np.ascontiguousarray(np.concatenate([piece.vertices for piece in pieces])),
+        np.ascontiguousarray(np.concatenate([piece.normals for piece in pieces])),
+        np.ascontiguousarray(np.concatenate([piece.uvs for piece in pieces])),
+        np.concatenate([p.triangles + start for p, start in zip(pieces, starts, strict=False)]).astype(np.int32),
+        np.concatenate([np.full(len(piece.triangles), piece.material, np.int32) for piece in pieces]),
+        tuple(materials),
+    )
 
 
-def _accessor(document: dict[str, Any], blob: memoryview, index: int) -> NDArray[Any]:
-    accessor = document["accessors"][index]
-    view = document["bufferViews"][accessor["bufferView"]]
-    kind = np.dtype(_COMPONENT_TYPES[accessor["componentType"]])
-    columns = _COMPONENTS[accessor["type"]]
-    stride = view.get("byteStride", columns * kind.itemsize) // kind.itemsize
-    values = np.frombuffer(blob, kind, accessor["count"] * stride, view["byteOffset"])
-    return values.reshape(accessor["count"], stride)[:, :columns]
+def _parts(gltf: GltfBinary) -> Iterator[tuple[MeshPart, Matrix]]:
+    """Yield what the scene's nodes show, with the (4, 4) transforms to the mesh's frame."""
+    document = gltf.document
+    waiting = [(index, _Z_UP) for index in reversed(document.scenes[document.scene].nodes)]
+    seen: set[int] = set()
+    while waiting:
+        index, parent = waiting.pop()
+        if index in seen:
+            raise ValueError(f"node {index} has two parents")
+        seen.add(index)
+        node = document.nodes[index]
+        to_mesh = parent @ _node_matrix(node)
+        if node.mesh is not None:
+            yield document.meshes[node.mesh], to_mesh
+        waiting += [(child, to_mesh) for child in reversed(node.children)]
+
+
+def _node_matrix(node: Node) -> Matrix:
+    if node.matrix is not None:
+        return np.array(node.matrix).reshape(4, 4).T
+    x, y, z, w = node.rotation
+    if abs(w * w + x * x + y * y + z * z - 1.0) > 1e-2:
+        raise ValueError("the rotation of a node is no unit quaternion")
+    matrix = np.eye(4)
+    matrix[:3, :3] = quaternion_to_matrix(np.array([w, x, y, z])) * np.array(node.scale)
+    matrix[:3, 3] = node.translation
+    return matrix
+
+
+def _piece(gltf: GltfBinary, primitive: Primitive, to_mesh: Matrix) -> _Piece:
+    if primitive.mode != _TRIANGLES or "POSITION" not in primitive.attributes:
+        raise ValueError("a primitive is neither triangles nor lines nor points")
+    vertices = _vectors(gltf, primitive.attributes["POSITION"], 3)
+    triangles = _triangles(gltf, primitive, len(vertices))
+    normals = _normals(gltf, primitive, vertices, triangles)
+    uvs = np.zeros((len(vertices), 2), np.float32)
+    if "TEXCOORD_0" in primitive.attributes:
+        uvs = _vectors(gltf, primitive.attributes["TEXCOORD_0"], 2)
+    if len(normals) != len(vertices) or len(uvs) != len(vertices):
+        raise ValueError("a primitive has not as many normals or texture coordinates as positions")
+    # The pack's files are upright but for rounding; their vertices are taken as they are, to the bit.
+    if not np.allclose(to_mesh, np.eye(4), atol=1e-9):
+        vertices, normals, triangles = _transformed(vertices, normals, triangles, to_mesh)
+    if np.abs(vertices).max() > FARTHEST:
+        raise ValueError(f"a vertex lies more than {FARTHEST:g} m from the origin")
+    last = len(gltf.document.materials)
+    return _Piece(vertices, normals, uvs, triangles, last if primitive.material is None else primitive.material)
+
+
+def _vectors(gltf: GltfBinary, accessor: int, size: int) -> NDArray[np.float32]:
+    values = gltf.floats(accessor)
+    if values.shape[1] != size or not np.isfinite(values).all():
+        raise ValueError(f"accessor {accessor} does not hold finite vectors of {size} numbers")
+    return values
+
+
+def _triangles(gltf: GltfBinary, primitive: Primitive, vertex_count: int) -> NDArray[np.int64]:
+    if primitive.indices is None:
+        indices = np.arange(vertex_count, dtype=np.int64)
+    else:
+        indices = gltf.values(primitive.indices).astype(np.int64).reshape(-1)
+    if len(indices) % 3 or indices.min() < 0 or indices.max() >= vertex_count:
+        raise ValueError("a triangle has a corner that does not exist")
+    return indices.reshape(-1, 3)
+
+
+def _normals(
+    gltf: GltfBinary, primitive: Primitive, vertices: NDArray[np.float32], triangles: NDArray[np.int64]
+) -> NDArray[np.float32]:
+    """Return the unit normals that the file gives, or the means of the faces around each vertex."""
+    if "NORMAL" in primitive.attributes:
+        normals = gltf.values(primitive.attributes["NORMAL"])[:, :3].astype(np.float32)
+        if normals.shape[1] != 3 or not np.isfinite(normals).all():
+            raise ValueError("a normal is not three finite numbers")
+        return _unit(normals)
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    normals = np.zeros_like(vertices)
+    for k in range(3):
+        np.add.at(normals, triangles[:, k], np.cross(b - a, c - a))
+    return _unit(normals)
+
+
+def _unit(normals: NDArray[np.float32]) -> NDArray[np.float32]:
+    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.float32(1e-6))
+
+
+def _transformed(
+    vertices: NDArray[np.float32], normals: NDArray[np.float32], triangles: NDArray[np.int64], to_mesh: Matrix
+) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int64]]:
+    """Return vertices, normals and triangles in the mesh's frame; a mirrored node's triangles turn around."""
+    linear = to_mesh[:3, :3]
+    size = float(np.linalg.det(linear))
+    if not abs(size) > 1e-12:
+        raise ValueError("a node flattens what it shows")
+    moved = vertices.astype(np.float64) @ linear.T + to_mesh[:3, 3]
+    turned = normals.astype(np.float64) @ np.linalg.inv(linear)
+    around = triangles if size > 0 else triangles[:, ::-1]
+    return moved.astype(np.float32), _unit(turned.astype(np.float32)), around
 
 
 def _srgb(linear: float) -> float:
+    linear = min(max(linear, 0.0), 1.0)
     return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
 
 
-def _material(document: dict[str, Any], blob: memoryview, data: dict[str, Any]) -> Material:
-    surface = data["pbrMetallicRoughness"]
-    r, g, b = (_srgb(v) for v in surface["baseColorFactor"][:3])
-    if "baseColorTexture" not in surface:
+def _material(gltf: GltfBinary, entry: MaterialEntry) -> Material:
+    surface = entry.pbr_metallic_roughness
+    r, g, b = (_srgb(v) for v in surface.base_color_factor[:3])
+    if surface.base_color_texture is None:
         return Material((r, g, b))
-    image = document["images"][document["textures"][surface["baseColorTexture"]["index"]]["source"]]
-    view = document["bufferViews"][image["bufferView"]]
-    encoded = np.frombuffer(blob, np.uint8, view["byteLength"], view["byteOffset"])
-    decoded = cv2.imdecode(encoded, cv2.IMREAD_COLOR)
-    if decoded is None:
-        raise ValueError("a texture does not decode")
-    return Material((r, g, b), np.ascontiguousarray(decoded[..., ::-1], dtype=np.uint8))
-
-
-def _mesh(document: dict[str, Any], blob: memoryview) -> Mesh:
-    vertices, normals, uvs, triangles, materials = [], [], [], [], []
-    offset = 0
-    for primitive in document["meshes"][0]["primitives"]:
-        attributes = primitive["attributes"]
-        position = _accessor(document, blob, attributes["POSITION"]).astype(np.float32)
-        normal = _accessor(document, blob, attributes["NORMAL"]).astype(np.float32)
-        indices = _accessor(document, blob, primitive["indices"]).astype(np.int32).reshape(-1, 3)
-        if "TEXCOORD_0" in attributes:
-            uv = _accessor(document, blob, attributes["TEXCOORD_0"]).astype(np.float32)
-        else:
-            uv = np.zeros((len(position), 2), np.float32)
-        vertices.append(position)
-        normals.append(normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), np.float32(1e-6)))
-        uvs.append(uv)
-        triangles.append(indices + np.int32(offset))
-        materials.append(np.full(len(indices), primitive["material"], np.int32))
-        offset += len(position)
-    return Mesh(
-        np.ascontiguousarray(np.concatenate(vertices)),
-        np.ascontiguousarray(np.concatenate(normals)),
-        np.ascontiguousarray(np.concatenate(uvs)),
-        np.ascontiguousarray(np.concatenate(triangles)),
-        np.concatenate(materials),
-        tuple(_material(document, blob, m) for m in document["materials"]),
-    )
+    source = gltf.document.textures[surface.base_color_texture.index].source
+    view = None if source is None else gltf.document.images[source].buffer_view
+    if view is None:
+        raise ValueError("a texture lies outside of the file, or is in a format that is not read")
+    return Material((r, g, b), decode_image(bytes(gltf.view(view))))

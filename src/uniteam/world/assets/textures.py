@@ -1,26 +1,37 @@
-"""Floor and wall textures of the pack: square tiles that repeat, and how much of a floor one covers."""
+"""Floor and wall textures of a library: square tiles that repeat, and how much of a floor one covers.
 
-import json
+They stand in `textures/textures.json` of the library's folder, by the stem of the JPEG beside it:
+
+    {"oak": {"kinds": ["floor"], "size": 1.2}}
+"""
+
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import Literal
+from pathlib import Path
+from typing import Annotated, Literal
 
-import cv2
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.errors import DamagedFileError, UnknownNameError
-from uniteam.world.assets.catalogue import PACK_DIRECTORY
-
-TEXTURE_DIRECTORY = PACK_DIRECTORY / "textures"
+from uniteam.world.assets.catalogue_file import Identifier, Length
+from uniteam.world.assets.files import PACK_DIRECTORY, damaged, read_bytes, read_json
+from uniteam.world.assets.image import decode_image
 
 TextureKind = Literal["floor", "wall"]
 
 
 @dataclass(frozen=True)
 class Texture:
-    """What the pack knows of a texture; `size` is the side (m) of the square that one tile covers."""
+    """What a library knows of a texture.
+
+    Attributes:
+        kinds: what it is for.
+        size: side of the square that one tile covers (m).
+        title, source, creator, licence: what it shows, where it is from and who made it.
+        checksum: SHA-256 of its file; empty where nobody wrote one down.
+        path: its JPEG.
+    """
 
     kinds: tuple[TextureKind, ...]
     size: float
@@ -29,46 +40,38 @@ class Texture:
     creator: str
     licence: str
     checksum: str
+    path: Path
 
 
-@lru_cache(maxsize=1)
-def load_textures() -> Mapping[str, Texture]:
-    """Read the list of textures by name; raises DamagedFileError where it is missing or no such list."""
-    path = TEXTURE_DIRECTORY / "textures.json"
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        return {name: Texture(**{**entry, "kinds": tuple(entry["kinds"])}) for name, entry in sorted(data.items())}
-    except (OSError, ValueError, TypeError, KeyError, AttributeError) as error:
-        raise DamagedFileError(f"the list of textures {path} cannot be read ({error}); reinstall uniteam") from error
+class _Texture(msgspec.Struct, forbid_unknown_fields=True):
+    kinds: Annotated[tuple[TextureKind, ...], msgspec.Meta(min_length=1, max_length=2)]
+    size: Length
+    title: str = ""
+    source: str = ""
+    creator: str = ""
+    licence: str = ""
+    checksum: str = ""
 
 
-def texture_names(kind: TextureKind) -> tuple[str, ...]:
-    """Return the names of the textures for floors or for walls, sorted."""
-    return tuple(name for name, texture in load_textures().items() if kind in texture.kinds)
-
-
-def texture_size(name: str) -> float:
-    """Return the side (m) of the square that one tile covers."""
-    return _texture(name).size
-
-
-def load_texture(name: str) -> NDArray[np.uint8]:
-    """Return the (H, W, 3) RGB image of a texture.
+def read_textures(folder: Path) -> Mapping[str, Texture]:
+    """Return the textures of a library's folder by name, sorted; none where it has no `textures/`.
 
     Raises:
-        UnknownNameError: the pack has no such texture.
-        DamagedFileError: its file does not decode.
+        DamagedFileError: the list of textures is missing or is no such list.
     """
-    _texture(name)
-    path = TEXTURE_DIRECTORY / f"{name}.jpg"
-    image = cv2.imread(str(path), cv2.IMREAD_COLOR)
-    if image is None:
-        raise DamagedFileError(f"the texture {path} cannot be read; reinstall uniteam")
-    return np.ascontiguousarray(image[..., ::-1], dtype=np.uint8)
+    directory = folder / "textures"
+    if not directory.exists() and folder != PACK_DIRECTORY:
+        return {}
+    listed = read_json(directory / "textures.json", "the list of textures", dict[Identifier, _Texture])
+    return {
+        name: Texture(**msgspec.structs.asdict(entry), path=directory / f"{name}.jpg")
+        for name, entry in sorted(listed.items())
+    }
 
 
-def _texture(name: str) -> Texture:
+def load_texture(texture: Texture) -> NDArray[np.uint8]:
+    """Return the (H, W, 3) RGB image of a texture; raises DamagedFileError where its file is missing or no picture."""
     try:
-        return load_textures()[name]
-    except KeyError:
-        raise UnknownNameError("texture", name, load_textures()) from None
+        return decode_image(read_bytes(texture.path, "the texture"))
+    except ValueError as error:
+        raise damaged(texture.path, "the texture", str(error)) from error

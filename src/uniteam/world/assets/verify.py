@@ -1,11 +1,12 @@
-"""Is the pack whole? Every file that the catalogue and the list of textures name, unchanged since it was built."""
+"""Is a library whole? Every file that its catalogue and its list of textures name, unchanged since it was built."""
 
 import hashlib
 from collections.abc import Iterator
 from pathlib import Path
 
-from uniteam.world.assets.catalogue import PACK_DIRECTORY, load_catalogue
-from uniteam.world.assets.textures import TEXTURE_DIRECTORY, load_textures
+from uniteam.errors import DamagedFileError
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue
+from uniteam.world.assets.files import PACK_DIRECTORY, read_bytes
 
 
 def verify_pack() -> tuple[str, ...]:
@@ -14,21 +15,28 @@ def verify_pack() -> tuple[str, ...]:
     Raises:
         DamagedFileError: the catalogue or the list of textures cannot be read.
     """
-    return tuple(_problems())
+    attribution = PACK_DIRECTORY / "ATTRIBUTION.md"
+    missing = () if attribution.is_file() else ("ATTRIBUTION.md is missing",)
+    return (*library_problems(load_catalogue()), *missing)
 
 
-def _problems() -> Iterator[str]:
-    for model in load_catalogue().models.values():
+def library_problems(library: Catalogue) -> Iterator[str]:
+    """Yield what is wrong with a library's files, a sentence a file."""
+    for model in library.models.values():
         yield from _file_problems(model.path, model.checksum)
-    for name, texture in load_textures().items():
-        yield from _file_problems(TEXTURE_DIRECTORY / f"{name}.jpg", texture.checksum)
-    if not (PACK_DIRECTORY / "ATTRIBUTION.md").exists():
-        yield "ATTRIBUTION.md is missing from the pack"
+    for texture in library.textures.values():
+        yield from _file_problems(texture.path, texture.checksum)
 
 
 def _file_problems(path: Path, checksum: str) -> Iterator[str]:
-    name = path.relative_to(PACK_DIRECTORY).as_posix()
+    name = f"{path.parent.name}/{path.name}"
     if not path.exists():
-        yield f"{name} is missing from the pack"
-    elif hashlib.sha256(path.read_bytes()).hexdigest() != checksum:
-        yield f"{name} of the pack has changed since it was built"
+        yield f"{name} is missing"
+        return
+    try:
+        content = read_bytes(path, "the file")
+    except DamagedFileError as error:
+        yield str(error)
+        return
+    if checksum and hashlib.sha256(content).hexdigest() != checksum:
+        yield f"{name} has changed since it was built"

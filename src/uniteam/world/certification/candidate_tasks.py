@@ -9,7 +9,6 @@ from itertools import product
 import numpy as np
 
 from uniteam.interface import Instruction
-from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home, Instance
 
 DISTRACTOR_DISTANCE = 2.0
@@ -65,12 +64,11 @@ class Tally:
 
 def possible_tasks(home: Home, support: Mapping[str, str]) -> tuple[Task, ...]:
     """Return the tasks of a home; `support` gives, by an object's name, the receptacle on which it lies."""
-    catalogue = load_catalogue()
-    goals = _names_by_category(i for i in home.instances if catalogue[i.model].role == "receptacle")
+    goals = _names_by_category(i for i in home.instances if home.model_of(i).role == "receptacle")
     lying: dict[tuple[str, str], list[str]] = {}
     for name, receptacle in support.items():
         lying.setdefault((home.by_name[name].category, home.by_name[receptacle].category), []).append(name)
-    unseen = catalogue.unseen_categories
+    unseen = home.library.unseen_categories
 
     def held_by(names: list[str]) -> tuple[str, ...]:
         return tuple(sorted({support[name] for name in names}))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import transform_points
-from uniteam.world.assets.catalogue import SupportSurface, load_catalogue
+from uniteam.world.assets.model import SupportSurface
 from uniteam.world.homes.home import Home, Instance
 
 POINT_SPACING = 0.04
@@ -37,7 +37,7 @@ class DropPoints:
 
 def drop_points(home: Home, receptacle: Instance) -> tuple[DropPoints, ...]:
     """Return the points of every surface of a receptacle at which an object could be put down."""
-    surfaces = load_catalogue()[receptacle.model].surfaces
+    surfaces = home.model_of(receptacle).surfaces
     found = (_on_surface(home, receptacle, surface) for surface in surfaces)
     return tuple(points for points in found if len(points.points))
 
@@ -73,6 +73,6 @@ def _distance_to_objects(home: Home, points: NDArray[np.float64], height: float)
     distances = np.full(len(points), np.inf)
     for instance in home.instances:
         if instance.position[2] > _LOWEST_SURFACE and -0.1 < instance.position[2] - height < 0.5:
-            radius = float(np.hypot(*load_catalogue()[instance.model].size[:2])) / 2.0
+            radius = float(np.hypot(*home.model_of(instance).size[:2])) / 2.0
             distances = np.minimum(distances, np.linalg.norm(points - instance.position[:2], axis=1) - radius)
     return distances

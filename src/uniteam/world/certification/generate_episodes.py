@@ -7,7 +7,7 @@ import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
-from uniteam.world.assets.catalogue import Pool
+from uniteam.world.assets.model import Pool
 from uniteam.world.certification.candidate_tasks import Tally, Task, in_order_of_variety, possible_tasks
 from uniteam.world.certification.certify import Certifier
 from uniteam.world.generation.generate import generate_home

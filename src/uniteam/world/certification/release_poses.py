@@ -10,7 +10,6 @@ from itertools import islice, product, zip_longest
 import numpy as np
 
 from uniteam.stretch import MANIPULATION_POSTURE
-from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.certification.drop_points import DropPoints, drop_points
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.oracle.base_stands import Release, releases
@@ -34,9 +33,9 @@ def release_ways(home: Home, held: Instance, receptacle: Instance, floor_points:
         receptacle: where it shall go.
         floor_points: (N, 2) where the base may stand (m, world).
     """
-    width, depth, height = load_catalogue()[held.model].size
+    width, depth, height = home.model_of(held).size
     margin = float(np.hypot(width, depth)) / 2.0 + EDGE_MARGIN
-    top = receptacle.position[2] + load_catalogue()[receptacle.model].size[2]
+    top = receptacle.position[2] + home.model_of(receptacle).size[2]
     surfaces = sorted(drop_points(home, receptacle), key=lambda surface: -surface.margins.max())
     drops = [(surface, drop) for surface in surfaces for drop in _drops(surface, top)]
     ways = [

@@ -9,9 +9,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import transform_points
+from uniteam.geometry import Point2, transform_points
 from uniteam.stretch import BASE_RADIUS, NAVIGATION_POSTURE, head_camera_to_base
-from uniteam.world.assets.catalogue import Point2, load_catalogue
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.physics.collision_shapes import shape_vertices
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
@@ -53,7 +52,7 @@ class Viewpoints:
     def standable(self, instance: Instance, within: float = VIEW_DISTANCE) -> NDArray[np.float64]:
         """Return the (N, 2) lattice points that the robot can drive to, no farther than `within` (m) of an instance."""
         x, y, _ = instance.position
-        reach = within if instance.movable else within + float(np.hypot(*load_catalogue()[instance.model].size[:2])) / 2
+        reach = within if instance.movable else within + float(np.hypot(*self._home.model_of(instance).size[:2])) / 2
         points = lattice_points_near(x, y, reach, reach)
         points = points[self._distances(instance, points) <= within]
         return points[self._are_standable(points)]
@@ -61,7 +60,7 @@ class Viewpoints:
     def _distances(self, instance: Instance, points: NDArray[np.float64]) -> NDArray[np.float64]:
         if instance.movable:
             return np.asarray(np.linalg.norm(points - instance.position[:2], axis=1))
-        return distance_to_footprint(instance, points)
+        return distance_to_footprint(self._home, instance, points)
 
     def _are_standable(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         cells = np.array([self._floor.to_cell(*point) for point in points]).reshape(-1, 2)
@@ -72,7 +71,7 @@ class Viewpoints:
     def _targets(self, name: str) -> NDArray[np.float64]:
         """Return (T, 3) points (m, world) inside an instance's shapes, near their corners and at their centres."""
         instance = self._home.by_name[name]
-        corners = [shape_vertices(shape) for shape in load_catalogue()[instance.model].shapes]
+        corners = [shape_vertices(shape) for shape in self._home.model_of(instance).shapes]
         centres = [vertices.mean(axis=0) for vertices in corners]
         inner = [v + _TOWARDS_CENTRE * (c - v) for v, c in zip(corners, centres, strict=True)]
         inside = transform_points(instance.model_to_world(), np.vstack([*inner, *centres]))

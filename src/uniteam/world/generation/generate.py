@@ -10,7 +10,8 @@ from numpy.random import Generator
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import yaw_quaternion
-from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Catalogue, Pool, load_catalogue
+from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Pool
 from uniteam.world.generation.furniture.furnishing import FurnishedRoom, FurnitureShop, furnish
 from uniteam.world.generation.furniture.piece import Piece
 from uniteam.world.generation.objects.scatter import MIN_OBJECT_COUNT, scatter
@@ -18,7 +19,7 @@ from uniteam.world.generation.objects.settling import settle
 from uniteam.world.generation.objects.stock import ObjectStock
 from uniteam.world.generation.plan.floor_plan import draw_floor_plan
 from uniteam.world.generation.plan.openings import draw_walls
-from uniteam.world.generation.plan.stage import build_stage
+from uniteam.world.generation.plan.stage import Decorator
 from uniteam.world.homes.home import Home, Instance, Room
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
 
@@ -53,11 +54,11 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
     for attempt in count():
         seeds = [seed, _POOLS.index(pool), attempt]
         home = _draw_layout(f"{pool}-{seed}", seed, FurnitureShop(catalogue, pool), np.random.default_rng(seeds))
-        if home is None or not _is_roomy(home, catalogue):
+        if home is None or not _is_roomy(home):
             continue
         for scattering in range(_SCATTERINGS):
             rng = np.random.default_rng([*seeds, scattering])
-            cluttered = settle(_with_objects(home, ObjectStock(catalogue, pool, rng), rng), catalogue)
+            cluttered = settle(_with_objects(home, ObjectStock(catalogue, pool, rng), rng))
             if sum(instance.movable for instance in cluttered.instances) >= MIN_OBJECT_COUNT:
                 return cluttered
     raise AssertionError("unreachable")
@@ -74,7 +75,8 @@ def _draw_layout(name: str, seed: int, shop: FurnitureShop, rng: Generator) -> H
     furniture = [_instance(piece, room) for room in rooms for piece in room.pieces]
     if not _is_furnished(furniture):
         return None
-    return Home(name, build_stage(plan, walls, ceiling, rng), _numbered(furniture), seed)
+    stage = Decorator(shop.catalogue, rng).stage(plan, walls, ceiling)
+    return Home(name, stage, _numbered(furniture), shop.catalogue, seed)
 
 
 def _with_objects(home: Home, stock: ObjectStock, rng: Generator) -> Home:
@@ -107,9 +109,9 @@ def _is_furnished(furniture: Iterable[Instance]) -> bool:
     return len(categories) >= _FEWEST_FURNITURE and len(classes) >= _FEWEST_RECEPTACLE_CLASSES
 
 
-def _is_roomy(home: Home, catalogue: Catalogue) -> bool:
+def _is_roomy(home: Home) -> bool:
     """Say whether the robot gets to a good spot of every room from every other."""
-    floor = NavigableFloor(home, catalogue)
+    floor = NavigableFloor(home)
     return all(_reached_area(floor, room) >= _ROOM_TO_STAND for room in home.stage.rooms)
 
 

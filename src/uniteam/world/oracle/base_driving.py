@@ -6,9 +6,8 @@ A displacement shorter than the least one is made of two longer ones, there and 
 import math
 from collections.abc import Iterator
 
-from uniteam.geometry import BasePose, wrap_angle
+from uniteam.geometry import BasePose, Point2, wrap_angle
 from uniteam.interface import BaseDisplacement
-from uniteam.world.assets.catalogue import Point2
 
 LEAST_MOVE, MOST_MOVE = 0.1, 1.0
 LEAST_TURN = math.radians(5.0)

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from uniteam.errors import InvalidInputError
+from uniteam.geometry import Point2
 from uniteam.interface import Action, Decision, DiscreteAction, Instruction, Observation
-from uniteam.world.assets.catalogue import Point2
 from uniteam.world.oracle.pilot import Pilot
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Candidate, Certificate

@@ -6,9 +6,8 @@ one is asked for.
 
 from collections.abc import Iterator
 
-from uniteam.geometry import BasePose
+from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Action, DiscreteAction, JointDisplacement, Joints
-from uniteam.world.assets.catalogue import Point2
 from uniteam.world.oracle.base_driving import to_point, turn
 from uniteam.world.oracle.base_stands import approach
 from uniteam.world.oracle.true_paths import PathField

@@ -13,9 +13,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from uniteam.geometry import BasePose
+from uniteam.geometry import BasePose, Point2
 from uniteam.stretch import BASE_RADIUS
-from uniteam.world.assets.catalogue import Point2
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
 
 _STRIDE = 2

@@ -6,7 +6,7 @@ head do not. The boxes enclose the URDF's meshes, rounded to millimetres.
 
 from dataclasses import dataclass
 
-from uniteam.world.assets.catalogue import Box
+from uniteam.world.assets.model import Box
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import transform_points
-from uniteam.world.assets.catalogue import Box, Catalogue, CollisionShape
+from uniteam.world.assets.model import Box, CollisionShape
 from uniteam.world.homes.home import Home, Stage, Wall
 
 _CORNERS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
@@ -24,11 +24,11 @@ def model_vertices(shapes: tuple[CollisionShape, ...]) -> NDArray[np.float64]:
     return np.concatenate([shape_vertices(shape) for shape in shapes])
 
 
-def home_shapes(home: Home, catalogue: Catalogue) -> Iterator[NDArray[np.float64]]:
+def home_shapes(home: Home) -> Iterator[NDArray[np.float64]]:
     """Yield the (V, 3) vertices (m, world) of every collision shape of every instance of a home."""
     for instance in home.instances:
         model_to_world = instance.model_to_world()
-        for shape in catalogue[instance.model].shapes:
+        for shape in home.model_of(instance).shapes:
             yield transform_points(model_to_world, shape_vertices(shape))
 
 

@@ -9,9 +9,11 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose, transform_points
 from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
-from uniteam.world.assets.catalogue import Catalogue, load_catalogue
+from uniteam.world.homes.fixed_mesh import stage_mesh
 from uniteam.world.homes.home import Home
+from uniteam.world.homes.polygon import convex_pieces
 from uniteam.world.physics.collision_shapes import home_shapes, shape_vertices, wall_boxes, wall_to_world
+from uniteam.world.physics.mesh_solids import mesh_solids
 
 CELL_SIZE = 0.02
 """m."""
@@ -31,17 +33,16 @@ class NavigableFloor:
             floor, 0 inside one and outside the rooms; row along y, column along x; right to within a cell.
     """
 
-    def __init__(self, home: Home, catalogue: Catalogue | None = None) -> None:
-        """Rasterise the home; `catalogue` has its models (the pack's, where none is given)."""
+    def __init__(self, home: Home) -> None:
+        """Rasterise the home."""
         corners = np.array([(room.low, room.high) for room in home.stage.rooms])
         self._low = corners[:, 0].min(axis=0) - _MARGIN
         columns, rows = np.ceil((corners[:, 1].max(axis=0) + _MARGIN - self._low) / CELL_SIZE).astype(int)
         free = np.zeros((rows, columns), np.uint8)
         for room in home.stage.rooms:
-            self._fill(
-                free, np.array([room.low, (room.high[0], room.low[1]), room.high, (room.low[0], room.high[1])]), 1
-            )
-        for points in _obstacles(home, load_catalogue() if catalogue is None else catalogue):
+            for piece in convex_pieces(room.outline):
+                self._fill(free, np.array(piece), 1)
+        for points in _obstacles(home):
             self._fill(free, points, 0)
         self.cells = cv2.distanceTransform(free, cv2.DIST_L2, cv2.DIST_MASK_PRECISE) * np.float32(CELL_SIZE)
 
@@ -99,10 +100,12 @@ class NavigableFloor:
         return np.asarray(below * (1 - fy) + above * fy)
 
 
-def _obstacles(home: Home, catalogue: Catalogue) -> list[NDArray[np.float64]]:
+def _obstacles(home: Home) -> list[NDArray[np.float64]]:
     """Return convex (V, 2) outlines (m, world) of what stands between `STEP_HEIGHT` and the robot's height."""
     walls = [transform_points(wall_to_world(s, a), shape_vertices(box)) for s, a, box in wall_boxes(home.stage)]
-    outlines = (_slab_outline(vertices) for vertices in (*walls, *home_shapes(home, catalogue)))
+    mesh = stage_mesh(home.stage)
+    solids = () if mesh is None else tuple(mesh_solids(mesh))
+    outlines = (_slab_outline(vertices) for vertices in (*walls, *solids, *home_shapes(home)))
     return [outline for outline in outlines if outline is not None]
 
 

@@ -16,8 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.errors import UnknownNameError
-from uniteam.geometry import pose_matrix
-from uniteam.world.assets.catalogue import Catalogue, Point3, load_catalogue
+from uniteam.geometry import Point3, pose_matrix
 from uniteam.world.homes.home import Home
 from uniteam.world.physics.physics_model import TIMESTEP, HomeModel, compile_home
 
@@ -63,9 +62,9 @@ class Physics:
         version: grows whenever a body may have moved.
     """
 
-    def __init__(self, home: Home, catalogue: Catalogue | None = None) -> None:
-        """Build the home's bodies where they stand; `catalogue` has its models (the pack's, where none is given)."""
-        self.model: HomeModel = compile_home(home, load_catalogue() if catalogue is None else catalogue)
+    def __init__(self, home: Home) -> None:
+        """Build the home's bodies where they stand; raises DamagedFileError where its mesh or a shape is not usable."""
+        self.model: HomeModel = compile_home(home)
         self.names = self.model.bodies
         self.version = 0
         self._index = {name: k for k, name in enumerate(self.names)}

@@ -7,11 +7,14 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.errors import InvalidInputError
 from uniteam.geometry import yaw_quaternion
-from uniteam.world.assets.catalogue import Box, Catalogue, CollisionShape, Model
-from uniteam.world.homes.home import Home, Instance
+from uniteam.world.assets.model import Box, CollisionShape, Model
+from uniteam.world.homes.fixed_mesh import stage_mesh
+from uniteam.world.homes.home import Home, Instance, Stage
 from uniteam.world.physics.arm_shapes import ARM_BOXES
 from uniteam.world.physics.collision_shapes import shape_vertices, wall_boxes, wall_to_world
+from uniteam.world.physics.mesh_solids import mesh_solids
 
 TIMESTEP = 0.004
 """s."""
@@ -46,33 +49,45 @@ class HomeModel:
     arm: range
 
 
-def compile_home(home: Home, catalogue: Catalogue) -> HomeModel:
-    """Return the compiled home; instances of one model share its hulls."""
-    return _Builder(catalogue).build(home)
+def compile_home(home: Home) -> HomeModel:
+    """Return the compiled home; instances of one model share its hulls.
+
+    Raises:
+        DamagedFileError: the stage's mesh cannot be read.
+        InvalidInputError: a collision shape is one that MuJoCo does not take, such as a flat hull.
+    """
+    return _Builder(home).build()
 
 
 class _Builder:
-    def __init__(self, catalogue: Catalogue) -> None:
-        self._catalogue = catalogue
+    def __init__(self, home: Home) -> None:
+        self._home = home
         self._spec = mujoco.MjSpec()
         self._owners: list[str] = []
         self._corners: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
         self._hulls: set[str] = set()
 
-    def build(self, home: Home) -> HomeModel:
+    def build(self) -> HomeModel:
         self._set_options()
         self._add_floor()
         self._add_arm()
-        self._add_walls(home)
-        for instance in home.instances:
+        self._add_walls(self._home.stage)
+        for instance in self._home.instances:
             if not instance.movable:
                 self._add_fixed(instance)
-        movable = [instance for instance in home.instances if instance.movable]
+        movable = [instance for instance in self._home.instances if instance.movable]
         for instance in movable:
             self._add_movable(instance)
         names = tuple(instance.name for instance in movable)
         low, high = (np.array(corners) for corners in zip(*self._corners, strict=True))
-        return HomeModel(self._spec.compile(), names, tuple(self._owners), low, high, range(1, 1 + len(ARM_BOXES)))
+        return HomeModel(self._compiled(), names, tuple(self._owners), low, high, range(1, 1 + len(ARM_BOXES)))
+
+    def _compiled(self) -> Any:
+        try:
+            return self._spec.compile()
+        except ValueError as error:
+            reason = " ".join(str(error).split())
+            raise InvalidInputError(f"a collision shape of home '{self._home.name}' is no solid: {reason}") from error
 
     def _set_options(self) -> None:
         self._spec.option.timestep = TIMESTEP
@@ -91,22 +106,26 @@ class _Builder:
             geom.contype = geom.conaffinity = 0
             self._note(ARM, shape_vertices(part.box))
 
-    def _add_walls(self, home: Home) -> None:
-        for start, direction, box in wall_boxes(home.stage):
+    def _add_walls(self, stage: Stage) -> None:
+        for start, direction, box in wall_boxes(stage):
             to_world = wall_to_world(start, direction)
             center = to_world[:3, :3] @ box.center + to_world[:3, 3]
             self._add_box(self._spec.worldbody, box.size, center, np.array(yaw_quaternion(direction)))
             self._note(WALL, shape_vertices(box) @ to_world[:3, :3].T + to_world[:3, 3])
+        mesh = stage_mesh(stage)
+        for number, vertices in enumerate([] if mesh is None else mesh_solids(mesh)):
+            self._add_hull(self._spec.worldbody, f"stage/{number}", vertices, np.zeros(3), _NO_ROTATION)
+            self._note(WALL, vertices)
 
     def _add_fixed(self, instance: Instance) -> None:
-        model = self._catalogue[instance.model]
+        model = self._home.model_of(instance)
         to_world = instance.model_to_world()
         for number, shape in enumerate(model.shapes):
             self._add_shape(self._spec.worldbody, _hull_name(model, number), shape, instance)
             self._note(instance.name, shape_vertices(shape) @ to_world[:3, :3].T + to_world[:3, 3])
 
     def _add_movable(self, instance: Instance) -> None:
-        model = self._catalogue[instance.model]
+        model = self._home.model_of(instance)
         body = self._spec.worldbody.add_body(name=instance.name, pos=instance.position, quat=instance.quaternion)
         body.add_freejoint()
         _set_inertia(body, model)
@@ -122,11 +141,17 @@ class _Builder:
         if box is not None:
             self._add_box(body, box.size, to_body[:3, :3] @ box.center + to_body[:3, 3], quaternion)
             return
+        self._add_hull(body, name, shape_vertices(shape), to_body[:3, 3], quaternion)
+
+    def _add_hull(
+        self, body: Any, name: str, vertices: NDArray[np.float64], position: NDArray[np.float64], quaternion: Any
+    ) -> None:
+        """Add a convex hull (V, 3) that may be known by its name already."""
         if name not in self._hulls:
             mesh = self._spec.add_mesh(name=name, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL)
-            mesh.uservert = shape_vertices(shape).ravel()
+            mesh.uservert = vertices.ravel()
             self._hulls.add(name)
-        body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, pos=to_body[:3, 3], quat=quaternion)
+        body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, pos=position, quat=quaternion)
 
     def _add_box(self, body: Any, size: Any, center: NDArray[np.float64], quaternion: NDArray[np.float64]) -> Any:
         half = np.maximum(size, _THINNEST) / 2

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError, UnknownNameError
-from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.mesh import Mesh
 from uniteam.world.homes.home import Home
 from uniteam.world.rendering.kernels.lighting import RoomLight, outdoor_light, pose_part, room_light
@@ -39,8 +38,8 @@ class _Part:
 class Scene:
     """Everything the camera can see of a home, in arrays that the rasteriser reads.
 
-    The stage's parts are named "floor", "ceiling" and "wall_0", "wall_1", ...; the others by their instances, or by
-    their keys in `parts`.
+    The stage's parts are named "floor", "ceiling", "wall_0", "wall_1", ..., and "stage" for its mesh; the others by
+    their instances, or by their keys in `parts`.
     """
 
     def __init__(self, home: Home, parts: Mapping[str, Mesh] | None = None) -> None:
@@ -51,11 +50,11 @@ class Scene:
             parts: further meshes by name (the robot's links), at the world's origin until they are moved; label -1.
 
         Raises:
-            DamagedFileError: a model of the pack cannot be read.
-            UnknownNameError: the home names a model or a texture that the pack lacks.
+            DamagedFileError: a file of the home's library, or the stage's mesh, cannot be read.
+            UnknownNameError: the home names a model or a texture that its library lacks.
         """
         self.home = home
-        stage = stage_parts(home.stage)
+        stage = stage_parts(home.stage, home.library)
         entries = _stage_entries(stage) + _instance_entries(home) + _extra_entries(parts or {})
         self._meshes = tuple(entry.mesh for entry in entries)
         self._glowing = tuple(entry.is_glowing for entry in entries)
@@ -147,11 +146,9 @@ def _stage_entries(stage: tuple[StagePart, ...]) -> list[_Part]:
 
 
 def _instance_entries(home: Home) -> list[_Part]:
-    catalogue = load_catalogue() if home.instances else None
     return [
-        _Part(instance.name, load_render_mesh(catalogue[instance.model].path), label)
+        _Part(instance.name, load_render_mesh(home.model_of(instance)), label)
         for label, instance in enumerate(home.instances)
-        if catalogue is not None
     ]
 
 

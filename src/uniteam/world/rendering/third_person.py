@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose, wrap_angle
+from uniteam.world.homes.fixed_mesh import wall_lines
 from uniteam.world.homes.home import Stage
 
 HEIGHT = 3.6
@@ -17,6 +18,9 @@ TARGET_HEIGHT = 0.7
 CLEAR = 1.7
 """A wall nearer to the robot than this (m) would hide it, as walls are about 2.5 m high."""
 
+_WALL_HEIGHT = 1.5
+"""What a stage's mesh has at this height counts as walls (m)."""
+
 _FIRST = math.radians(-145.0)
 _SIDES = tuple(wrap_angle(_FIRST + k * math.pi / 6.0) for k in range(12))
 
@@ -25,8 +29,8 @@ class Watcher:
     """Follows the robot, and changes sides only when a wall comes in between."""
 
     def __init__(self, stage: Stage) -> None:
-        self._starts = np.array([wall.start for wall in stage.walls]).reshape(-1, 2)
-        self._ends = np.array([wall.end for wall in stage.walls]).reshape(-1, 2)
+        lines = wall_lines(stage, _WALL_HEIGHT)
+        self._starts, self._ends = lines[:, 0], lines[:, 1]
         self._side = _SIDES[0]
 
     def pose(self, base: BasePose) -> NDArray[np.float64]:

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import invert_transform, transform_points
 from uniteam.stretch import gripper_to_base
-from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home
 from uniteam.world.physics.collision_shapes import model_vertices
 from uniteam.world.physics.physics import Physics
@@ -29,10 +28,9 @@ class Gripper:
 
     def __init__(self, home: Home, physics: Physics) -> None:
         """Begin with nothing; what is grasped is taken out of `physics` until it is released."""
-        catalogue = load_catalogue()
         self._home = home
         self._physics = physics
-        self._vertices = {i.name: model_vertices(catalogue[i.model].shapes) for i in home.instances if i.movable}
+        self._vertices = {i.name: model_vertices(home.model_of(i).shapes) for i in home.instances if i.movable}
         self.held: HeldObject | None = None
 
     def grasp(self, category: str, in_view: NDArray[np.integer], state: RobotState) -> str | None:

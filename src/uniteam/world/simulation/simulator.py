@@ -85,8 +85,7 @@ class Simulator:
         self._collider = ArmCollider(self.physics)
         self._view = HomeView(home, self.physics)
         self._gripper = Gripper(home, self.physics)
-        room = home.stage.rooms[0]
-        self.reset(BasePose((room.low[0] + room.high[0]) / 2, (room.low[1] + room.high[1]) / 2, 0.0))
+        self.reset(BasePose(*home.stage.rooms[0].middle, 0.0))
 
     def reset(self, base: BasePose) -> None:
         """Put every object back and the robot at a pose (world), in its navigation posture with an empty gripper."""

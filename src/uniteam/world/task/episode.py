@@ -3,9 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from uniteam.geometry import BasePose
+from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction, Joints
-from uniteam.world.assets.catalogue import Point2
 from uniteam.world.homes.home import Home
 
 

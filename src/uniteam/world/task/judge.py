@@ -75,7 +75,7 @@ class Judge:
 
     def _sees_receptacle(self, simulator: Simulator, frame: Frame) -> bool:
         def distance(name: str, base: BasePose) -> float:
-            return float(distance_to_footprint(self._home.by_name[name], np.array([base.x, base.y])))
+            return float(distance_to_footprint(self._home, self._home.by_name[name], np.array([base.x, base.y])))
 
         return any(_is_found(target, simulator.base, frame, distance) for target in self._receptacles)
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from uniteam.world.assets.catalogue import Point2
+from uniteam.geometry import Point2
 
 SPACING = 0.1
 

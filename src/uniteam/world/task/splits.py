@@ -14,10 +14,12 @@ from pathlib import Path
 from typing import Any
 
 from uniteam.errors import DamagedFileError, UnknownNameError
-from uniteam.geometry import BasePose
+from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction, Joints
-from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Point2, load_catalogue
-from uniteam.world.homes.home import Home, home_from_data, home_to_data
+from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
+from uniteam.world.homes.home import Home
+from uniteam.world.homes.serialization import home_from_data, home_to_data
 from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
 from uniteam.world.task.lattice import points_to_runs, runs_to_points
 
@@ -41,7 +43,7 @@ class _LazyHomes(Mapping[str, Home]):
         if name not in self._homes:
             data = self._data[name]
             try:
-                self._homes[name] = home_from_data(data)
+                self._homes[name] = home_from_data(data, self._path.parent)
             except (KeyError, TypeError, ValueError) as error:
                 raise _damaged(self._path, f"home '{name}' is incomplete: {error!r}") from error
         return self._homes[name]
@@ -80,7 +82,7 @@ def write_split(split: Split, path: Path) -> None:
         episodes = [e for e in split.episodes if e.home == name]
         candidates = [c for e in episodes for c in (*e.objects, *e.goal_receptacles)]
         runs = {c.name: points_to_runs(c.view_points) for c in sorted(candidates, key=lambda c: c.name)}
-        lines.append({"home": home_to_data(home)})
+        lines.append({"home": home_to_data(home, path.parent)})
         lines.append({"view_points": {"home": name, "instances": runs}})
         lines += ({"episode": _encode_episode(episode)} for episode in episodes)
     text = "".join(json.dumps(line, separators=(",", ":")) + "\n" for line in lines)

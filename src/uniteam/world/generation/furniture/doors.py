@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from numpy.random import Generator
 
-from uniteam.world.assets.catalogue import Model
+from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture.piece import Piece
 from uniteam.world.generation.plan.floor_plan import FloorPlan
 from uniteam.world.generation.plan.openings import WALL_THICKNESS, PlannedOpening, PlannedWall

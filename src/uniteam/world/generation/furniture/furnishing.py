@@ -7,7 +7,8 @@ from itertools import islice
 import numpy as np
 from numpy.random import Generator
 
-from uniteam.world.assets.catalogue import Catalogue, Model, Pool
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.model import Model, Pool
 from uniteam.world.generation.furniture.doors import Entrance, draw_entrance, fitting_leaves, open_leaves
 from uniteam.world.generation.furniture.kinds import models_of_kind
 from uniteam.world.generation.furniture.piece import Piece, Site

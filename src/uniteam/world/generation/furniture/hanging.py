@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from uniteam.world.assets.catalogue import Model
+from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture.piece import Piece, Site
 from uniteam.world.generation.furniture.standing import before_window, wall_run
 

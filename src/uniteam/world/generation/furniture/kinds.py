@@ -6,7 +6,8 @@ Each kind is a category and bounds on the size, so a new model of the pack is us
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from uniteam.world.assets.catalogue import Catalogue, Model, Pool
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.model import Model, Pool
 
 Bounds = tuple[float, float]
 _ANY: Bounds = (0.0, 99.0)

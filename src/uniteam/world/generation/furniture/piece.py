@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from numpy.random import Generator
 
-from uniteam.world.assets.catalogue import Model
+from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture.room_floor import Volume
 from uniteam.world.generation.plan.rect import Rect
 

@@ -7,7 +7,7 @@ whose anchor does not stand in the room is passed over; where nothing is free, t
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from uniteam.world.assets.catalogue import Model
+from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture import hanging, standing
 from uniteam.world.generation.furniture.piece import Piece, Site
 

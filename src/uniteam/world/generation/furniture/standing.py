@@ -6,7 +6,7 @@ Everything here proposes; what is taken and what stays passable is for `RoomFloo
 from collections.abc import Iterator
 from dataclasses import replace
 
-from uniteam.world.assets.catalogue import Model
+from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture.piece import Piece, Site, turned
 from uniteam.world.generation.furniture.room_floor import Volume
 from uniteam.world.generation.plan.rect import Rect

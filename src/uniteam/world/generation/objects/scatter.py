@@ -10,7 +10,8 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from uniteam.geometry import yaw_quaternion
-from uniteam.world.assets.catalogue import Catalogue, Model, SupportSurface
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.model import Model, SupportSurface
 from uniteam.world.generation.objects.stock import ObjectStock
 from uniteam.world.homes.home import Instance
 

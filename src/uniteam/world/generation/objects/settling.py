@@ -6,7 +6,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
-from uniteam.world.assets.catalogue import RECEPTACLE_CATEGORIES, Catalogue
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.physics.physics import Physics
 
@@ -36,9 +36,9 @@ def _holder(home: Home, physics: Physics, name: str) -> str | None:
     return min(touched, key=lambda other: (-touched[other], other)) if touched else None
 
 
-def settle(home: Home, catalogue: Catalogue) -> Home:
+def settle(home: Home) -> Home:
     """Return the home with its objects as they come to rest; those that fell, roll or hang on nothing are gone."""
-    physics = Physics(home, catalogue)
+    physics = Physics(home)
     kept = set(physics.names)
     for _ in range(3):
         physics.settle(sorted(kept), _SECONDS)

@@ -4,7 +4,8 @@ from collections.abc import Mapping
 
 from numpy.random import Generator
 
-from uniteam.world.assets.catalogue import Catalogue, Model, Pool
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.model import Model, Pool
 
 _KITCHEN = (
     "apple", "banana", "blender", "bottle", "bowl", "bread", "butter", "cake", "can", "canister", "carrot",

@@ -1,13 +1,17 @@
 """From a plan in centimetres to a stage in metres: each room with its own floor, wall paint and light."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from numpy.random import Generator
 
-from uniteam.world.assets.textures import TextureKind, texture_names
+from uniteam.geometry import Point3
+from uniteam.world.assets.catalogue import Catalogue
+from uniteam.world.assets.textures import TextureKind
 from uniteam.world.generation.plan.floor_plan import FloorPlan, PlannedRoom
 from uniteam.world.generation.plan.openings import WALL_THICKNESS, PlannedWall
 from uniteam.world.homes.home import Light, Opening, Room, Stage, Wall
+from uniteam.world.homes.polygon import rectangle
 
 _WOODEN = ("planks", "parquet", "wooden")
 _CARPET = ("carpet",)
@@ -39,30 +43,44 @@ _LIGHTS = (
 )  # fmt: skip
 
 
-def build_stage(plan: FloorPlan, walls: Sequence[PlannedWall], ceiling: int, rng: Generator) -> Stage:
-    """Return the stage of a plan; `ceiling` is its height (cm)."""
-    tints = rng.permutation(len(_TINTS))
-    common_floor = _texture("floor", (_WOODEN,), rng)
-    rooms = tuple(_room(room, _TINTS[tints[i]], common_floor, ceiling, rng) for i, room in enumerate(plan))
-    return Stage(rooms, tuple(_wall(wall) for wall in walls), ceiling / 100)
+@dataclass(frozen=True)
+class Decorator:
+    """Gives rooms their floors, paints and lights.
 
+    Attributes:
+        library: of the textures.
+        rng: for every choice.
+    """
 
-def _texture(kind: TextureKind, choices: Sequence[Sequence[str]], rng: Generator) -> str:
-    """Return a texture whose name holds a word of one of the choices; any, where the pack has none such."""
-    words = choices[int(rng.integers(len(choices)))]
-    names = texture_names(kind)
-    fitting = [name for name in names if any(word in name for word in words)] or names
-    return fitting[int(rng.integers(len(fitting)))]
+    library: Catalogue
+    rng: Generator
 
+    def stage(self, plan: FloorPlan, walls: Sequence[PlannedWall], ceiling: int) -> Stage:
+        """Return the stage of a plan; `ceiling` is its height (cm)."""
+        tints = self.rng.permutation(len(_TINTS))
+        common_floor = self._texture("floor", (_WOODEN,))
+        rooms = tuple(self._room(room, _TINTS[tints[i]], common_floor, ceiling) for i, room in enumerate(plan))
+        return Stage(rooms, tuple(_wall(wall) for wall in walls), ceiling / 100)
 
-def _room(room: PlannedRoom, tint: tuple[float, float, float], common_floor: str, ceiling: int, rng: Generator) -> Room:
-    own_floor = _texture("floor", _FLOORS.get(room.kind, (_WOODEN,)), rng)
-    floor = common_floor if room.kind not in _FLOORS and rng.random() < 0.6 else own_floor
-    wall = _texture("wall", _WALLS.get(room.kind, _PLAIN_WALLS), rng)
-    low, high = (room.rect.x0 / 100, room.rect.y0 / 100), (room.rect.x1 / 100, room.rect.y1 / 100)
-    position = (round((low[0] + high[0]) / 2, 3), round((low[1] + high[1]) / 2, 3), round(ceiling / 100 - 0.3, 3))
-    light = Light(position, _LIGHTS[int(rng.integers(len(_LIGHTS)))], round(float(rng.uniform(0.35, 0.55)), 3))
-    return Room(room.name, room.kind, low, high, floor, wall, tint, light)
+    def _texture(self, kind: TextureKind, choices: Sequence[Sequence[str]]) -> str:
+        """Return a texture whose name holds a word of one of the choices; any, where the library has none such."""
+        words = choices[int(self.rng.integers(len(choices)))]
+        names = self.library.texture_names(kind)
+        fitting = [name for name in names if any(word in name for word in words)] or names
+        return fitting[int(self.rng.integers(len(fitting)))]
+
+    def _room(self, room: PlannedRoom, tint: Point3, common_floor: str, ceiling: int) -> Room:
+        own_floor = self._texture("floor", _FLOORS.get(room.kind, (_WOODEN,)))
+        floor = common_floor if room.kind not in _FLOORS and self.rng.random() < 0.6 else own_floor
+        wall = self._texture("wall", _WALLS.get(room.kind, _PLAIN_WALLS))
+        low, high = (room.rect.x0 / 100, room.rect.y0 / 100), (room.rect.x1 / 100, room.rect.y1 / 100)
+        light = self._light(((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, ceiling / 100 - 0.3))
+        return Room(room.name, room.kind, rectangle(low, high), floor, wall, tint, light)
+
+    def _light(self, position: Point3) -> Light:
+        x, y, z = (round(value, 3) for value in position)
+        color = _LIGHTS[int(self.rng.integers(len(_LIGHTS)))]
+        return Light((x, y, z), color, round(float(self.rng.uniform(0.35, 0.55)), 3))
 
 
 def _wall(wall: PlannedWall) -> Wall:

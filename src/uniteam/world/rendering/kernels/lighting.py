@@ -27,7 +27,7 @@ class RoomLight:
 
     Attributes:
         numbers: (13,) float32: position (3), ambient share, lamp share, directional share, reach (m),
-            low corner of the room (3), high corner (3).
+            low and high corner (3 each) of the box around the room, in whose corners light is dimmer.
         tint: (3,) float32 colour, as the factor of an sRGB colour.
     """
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import transform_points
-from uniteam.world.assets.catalogue import Box, CollisionShape, load_catalogue
+from uniteam.world.assets.model import Box, CollisionShape
 from uniteam.world.homes.home import Home
 from uniteam.world.rendering.kernels.lighting import GAMMA
 
@@ -62,7 +62,7 @@ def _outlines(home: Home) -> Iterator[tuple[float, NDArray[np.float32]]]:
         if instance.movable:
             continue
         to_world = instance.model_to_world()
-        for shape in load_catalogue()[instance.model].shapes:
+        for shape in home.model_of(instance).shapes:
             points = transform_points(to_world, _points(shape))
             bottom = float(points[:, 2].min())
             if bottom < _HIGHEST:

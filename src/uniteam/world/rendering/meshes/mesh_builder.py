@@ -7,7 +7,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.geometry import Point2
 from uniteam.world.assets.mesh import Material, Mesh
+from uniteam.world.homes.polygon import triangles
 
 Vector = NDArray[np.float64]
 
@@ -82,8 +84,14 @@ class MeshBuilder:
         corner = np.arange(grid_u.size).reshape(grid_u.shape)
         a, b, c, d = corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]
         quads = np.stack([a, b, c, a, c, d], axis=-1)
-        triangles = (quads if kept is None else quads[kept]).reshape(-1, 3)
-        self._append(points.reshape(-1, 3), plane.normal, np.stack([grid_u, -grid_v], axis=-1), triangles, surface)
+        chosen = (quads if kept is None else quads[kept]).reshape(-1, 3)
+        self._append(points.reshape(-1, 3), plane.normal, np.stack([grid_u, -grid_v], axis=-1), chosen, surface)
+
+    def add_polygon(self, plane: Plane, polygon: Sequence[Point2], surface: Surface) -> None:
+        """Add a simple polygon of (u, v) corners (m), counter-clockwise, in as few triangles as it takes."""
+        uv = np.array(polygon, dtype=np.float64)
+        points = plane.origin + uv[:, :1] * plane.right + uv[:, 1:] * plane.up
+        self._append(points, plane.normal, uv * (1.0, -1.0), np.array(triangles(tuple(polygon))), surface)
 
     def add_box(self, low: Vector, high: Vector, frame: NDArray[np.float64], surface: Surface) -> None:
         """Add an axis-aligned box of a frame in one colour; `frame` (4, 4) takes it to the world."""

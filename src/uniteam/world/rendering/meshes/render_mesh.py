@@ -8,10 +8,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.geometry import Point3
+from uniteam.world.assets.files import damaged, modified
 from uniteam.world.assets.mesh import Mesh, load_mesh
+from uniteam.world.assets.model import Model
 from uniteam.world.rendering.kernels.texture_atlas import WHITE, MipChain, build_mip_chain
 
 Float32Array = NDArray[np.float32]
+
+_LARGEST_MISFIT = 0.02
+"""By how much a model's bounding box may differ from the library's word (m)."""
 
 
 @dataclass(frozen=True)
@@ -62,10 +68,25 @@ def make_render_mesh(mesh: Mesh, mip_chain: Callable[[NDArray[np.uint8]], MipCha
     )
 
 
+def load_render_mesh(model: Model) -> RenderMesh:
+    """Read and prepare a model, once a process as long as its file does not change.
+
+    Raises:
+        DamagedFileError: the file is not a mesh, or not of the size that the library says.
+    """
+    return _load(model.path, model.size, modified(model.path))
+
+
 @lru_cache(maxsize=512)
-def load_render_mesh(path: Path) -> RenderMesh:
-    """Read and prepare a model of the pack, once a process; raises DamagedFileError where the file is not a model."""
-    return make_render_mesh(load_mesh(path))
+def _load(path: Path, size: Point3, *_: object) -> RenderMesh:
+    mesh = make_render_mesh(load_mesh(path))
+    low, high = np.array([-size[0] / 2, -size[1] / 2, 0.0]), np.array([size[0] / 2, size[1] / 2, size[2]])
+    if max(np.abs(mesh.low - low).max(), np.abs(mesh.high - high).max()) > _LARGEST_MISFIT:
+        found = " x ".join(f"{length:.3g}" for length in mesh.high - mesh.low)
+        said = " x ".join(f"{length:.3g}" for length in size)
+        reason = f"its bounding box is {found} m and must be {said} m, its floor's centre at the origin"
+        raise damaged(path, "the model", reason)
+    return mesh
 
 
 def _wind_with_normals(

@@ -1,0 +1,68 @@
+"""Reading files that anybody may have written: as much as is sensible, and one sentence where that is not enough."""
+
+from pathlib import Path
+from typing import TypeVar
+
+import msgspec
+
+from uniteam.errors import DamagedFileError
+
+PACK_DIRECTORY = Path(__file__).parent / "pack"
+"""The library that comes with the package."""
+
+MOST_BYTES = 128 * 1024 * 1024
+"""No larger file is read."""
+
+Schema = TypeVar("Schema")
+"""The type whose fields say what a file must hold."""
+
+
+def read_bytes(path: Path, what: str) -> bytes:
+    """Return a file's content.
+
+    Args:
+        path: of the file.
+        what: the file is, for the sentence ("the model").
+
+    Raises:
+        DamagedFileError: there is no such file, it cannot be read, or it is larger than `MOST_BYTES`.
+    """
+    try:
+        size = path.stat().st_size
+        if size > MOST_BYTES:
+            raise damaged(path, what, f"it has {size} bytes, more than {MOST_BYTES}")
+        return path.read_bytes()
+    except (OSError, ValueError) as error:
+        raise damaged(path, what, _reason(error)) from error
+
+
+def read_json(path: Path, what: str, schema: type[Schema]) -> Schema:
+    """Return the content of a JSON file that fits a schema; raises DamagedFileError that names the field at fault."""
+    return decode_json(read_bytes(path, what), path, what, schema)
+
+
+def decode_json(content: bytes, path: Path, what: str, schema: type[Schema]) -> Schema:
+    """Return JSON as what the schema says; raises DamagedFileError about the file that it stands in."""
+    try:
+        return msgspec.json.decode(content, type=schema)
+    except (msgspec.MsgspecError, RecursionError, ValueError) as error:
+        raise damaged(path, what, str(error)) from error
+
+
+def modified(path: Path) -> tuple[int, int]:
+    """Return what changes when a file does: its time of modification (ns) and its size; (0, 0) where there is none."""
+    try:
+        status = path.stat()
+    except (OSError, ValueError):
+        return (0, 0)
+    return status.st_mtime_ns, status.st_size
+
+
+def damaged(path: Path, what: str, reason: str) -> DamagedFileError:
+    """Return the error that says which file is at fault, why, and what to do about it."""
+    remedy = "reinstall uniteam" if path.is_relative_to(PACK_DIRECTORY) else "mend it or write it anew"
+    return DamagedFileError(f"{what} {path} cannot be read ({reason}); {remedy}")
+
+
+def _reason(error: OSError | ValueError) -> str:
+    return error.strerror.lower() if isinstance(error, OSError) and error.strerror else str(error)

@@ -1,0 +1,49 @@
+"""Pictures within files: JPEG and PNG, whose size is known before they are unpacked."""
+
+import struct
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+MOST_PIXELS = 4096 * 4096
+"""A picture of more pixels is not unpacked: a small file can hold a very large one."""
+
+_PNG = b"\x89PNG\r\n\x1a\n"
+_JPEG = b"\xff\xd8"
+_JPEG_SIZES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
+"""Markers of the JPEG segments that say how large the picture is."""
+
+
+def decode_image(content: bytes) -> NDArray[np.uint8]:
+    """Return a picture as (H, W, 3) RGB; raises ValueError where it is none, is damaged or is too large."""
+    width, height = _size(content)
+    if not 0 < width * height <= MOST_PIXELS:
+        raise ValueError(f"a picture of {width} x {height} pixels, where at most {MOST_PIXELS} in all are read")
+    flags = cv2.IMREAD_COLOR | cv2.IMREAD_IGNORE_ORIENTATION
+    try:
+        decoded = cv2.imdecode(np.frombuffer(content, np.uint8), flags)
+    except cv2.error as error:
+        raise ValueError("a picture does not decode") from error
+    if decoded is None:
+        raise ValueError("a picture does not decode")
+    return np.ascontiguousarray(decoded[..., ::-1], dtype=np.uint8)
+
+
+def _size(content: bytes) -> tuple[int, int]:
+    """Return width and height (pixels) from a picture's header."""
+    if content.startswith(_PNG) and len(content) >= 24:
+        return struct.unpack_from(">II", content, 16)
+    if content.startswith(_JPEG):
+        return _jpeg_size(content)
+    raise ValueError("a picture that is neither JPEG nor PNG")
+
+
+def _jpeg_size(content: bytes) -> tuple[int, int]:
+    offset = len(_JPEG)
+    while offset + 9 <= len(content) and content[offset] == 0xFF:
+        if content[offset + 1] in _JPEG_SIZES:
+            height, width = struct.unpack_from(">HH", content, offset + 5)
+            return width, height
+        offset += 1 if content[offset + 1] == 0xFF else 2 + struct.unpack_from(">H", content, offset + 2)[0]
+    raise ValueError("a JPEG that does not say how large it is")
