@@ -7,9 +7,11 @@ from itertools import count
 
 import numpy as np
 from numpy.random import Generator
+from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import yaw_quaternion
+from uniteam.stretch import BASE_RADIUS
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Pool
 from uniteam.world.generation.furniture.furnishing import FurnishedRoom, FurnitureShop, furnish
@@ -18,7 +20,7 @@ from uniteam.world.generation.objects.scatter import MIN_OBJECT_COUNT, scatter
 from uniteam.world.generation.objects.settling import settle
 from uniteam.world.generation.objects.stock import ObjectStock
 from uniteam.world.generation.plan.floor_plan import draw_floor_plan
-from uniteam.world.generation.plan.openings import draw_walls
+from uniteam.world.generation.plan.openings import WALL_THICKNESS, draw_walls
 from uniteam.world.generation.plan.stage import Decorator
 from uniteam.world.homes.home import Home, Instance, Room
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
@@ -29,8 +31,10 @@ _FEWEST_FURNITURE = 18
 _FEWEST_RECEPTACLE_CLASSES = 8
 _SCATTERINGS = 4
 """How often objects are scattered in a layout before another one is drawn."""
-_ROOM_TO_STAND = 0.25
-"""The robot's centre reaches at least so much of every room (m2)."""
+_ROOM_TO_STAND = 0.5
+"""The robot's centre reaches at least so much of every room, without its doorways (m2)."""
+_SHARE_TO_REACH = 0.3
+"""And at least this share of where it could stand in the room: no furniture shuts the rest off."""
 
 
 def generate_home(seed: int, pool: Pool = "test") -> Home:
@@ -110,12 +114,19 @@ def _is_furnished(furniture: Iterable[Instance]) -> bool:
 
 
 def _is_roomy(home: Home) -> bool:
-    """Say whether the robot gets to a good spot of every room from every other."""
+    """Say whether the robot gets from every room into every other, and to a fair share of where it could stand."""
     floor = NavigableFloor(home)
-    return all(_reached_area(floor, room) >= _ROOM_TO_STAND for room in home.stage.rooms)
+    reached = np.array([_area_within(floor, room, floor.largest_component) for room in home.stage.rooms])
+    free = np.array([_area_within(floor, room, floor.free) for room in home.stage.rooms])
+    return bool((reached >= np.maximum(_ROOM_TO_STAND, _SHARE_TO_REACH * free)).all())
 
 
-def _reached_area(floor: NavigableFloor, room: Room) -> float:
-    """Return how much of a room (m2) the robot's centre reaches."""
-    low, high = floor.to_cell(*room.low), floor.to_cell(*room.high)
-    return float(floor.largest_component[low[0] : high[0], low[1] : high[1]].sum()) * CELL_SIZE**2
+def _area_within(floor: NavigableFloor, room: Room, cells: NDArray[np.bool_]) -> float:
+    """Return how much of a room (m2) chosen cells of its floor fill, without those in its doorways.
+
+    No robot stands nearer to the walls' centre lines than this but in a doorway.
+    """
+    border = BASE_RADIUS + WALL_THICKNESS / 200
+    low = floor.to_cell(room.low[0] + border, room.low[1] + border)
+    high = floor.to_cell(room.high[0] - border, room.high[1] - border)
+    return float(cells[low[0] : high[0], low[1] : high[1]].sum()) * CELL_SIZE**2
