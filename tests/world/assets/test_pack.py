@@ -10,9 +10,9 @@ import pytest
 from numpy.typing import NDArray
 
 from uniteam.world.assets.catalogue import load_catalogue
-from uniteam.world.assets.files import PACK_DIRECTORY
 from uniteam.world.assets.mesh import load_mesh
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Box, CollisionShape, Model
+from uniteam.world.assets.reading import PACK_DIRECTORY
 from uniteam.world.assets.textures import TextureKind, load_texture
 from uniteam.world.assets.verify import verify_pack
 

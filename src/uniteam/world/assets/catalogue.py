@@ -12,8 +12,8 @@ from pathlib import Path
 
 from uniteam.errors import UnknownNameError
 from uniteam.world.assets.catalogue_file import read_catalogue_file
-from uniteam.world.assets.files import PACK_DIRECTORY, damaged, modified, read_bytes
 from uniteam.world.assets.model import Model, Pool
+from uniteam.world.assets.reading import PACK_DIRECTORY, damaged, modified, read_bytes
 from uniteam.world.assets.textures import Texture, TextureKind, read_textures
 
 

@@ -16,7 +16,6 @@ from typing import Annotated
 import msgspec
 
 from uniteam.geometry import Point2
-from uniteam.world.assets.files import damaged, read_json
 from uniteam.world.assets.model import (
     RECEPTACLE_CATEGORIES,
     Box,
@@ -27,6 +26,7 @@ from uniteam.world.assets.model import (
     Role,
     SupportSurface,
 )
+from uniteam.world.assets.reading import damaged, read_json
 
 Identifier = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]*$", max_length=100)]
 """A name that is also a file's: no path leads out of the library's folder."""

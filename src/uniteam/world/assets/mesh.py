@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import quaternion_to_matrix
-from uniteam.world.assets.files import damaged, read_bytes
 from uniteam.world.assets.gltf import GltfBinary, MaterialEntry, MeshPart, Node, Primitive, read_gltf
 from uniteam.world.assets.image import decode_image
+from uniteam.world.assets.reading import damaged, read_bytes
 
 Color = tuple[float, float, float]
 Matrix = NDArray[np.float64]

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.world.assets.catalogue_file import Identifier, Length
-from uniteam.world.assets.files import PACK_DIRECTORY, damaged, read_bytes, read_json
 from uniteam.world.assets.image import decode_image
+from uniteam.world.assets.reading import PACK_DIRECTORY, damaged, read_bytes, read_json
 
 TextureKind = Literal["floor", "wall"]
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from uniteam.errors import DamagedFileError
 from uniteam.world.assets.catalogue import Catalogue, load_catalogue
-from uniteam.world.assets.files import PACK_DIRECTORY, read_bytes
+from uniteam.world.assets.reading import PACK_DIRECTORY, read_bytes
 
 
 def verify_pack() -> tuple[str, ...]:

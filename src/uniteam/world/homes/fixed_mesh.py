@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.world.assets.files import damaged, modified
 from uniteam.world.assets.mesh import Mesh, load_mesh
+from uniteam.world.assets.reading import damaged, modified
 from uniteam.world.homes.home import Stage
 
 MOST_TRIANGLES = 20_000

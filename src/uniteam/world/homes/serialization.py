@@ -15,7 +15,7 @@ import msgspec
 
 from uniteam.errors import DamagedFileError, InvalidInputError
 from uniteam.world.assets.catalogue import Catalogue, load_catalogue, load_library
-from uniteam.world.assets.files import PACK_DIRECTORY, decode_json, read_bytes
+from uniteam.world.assets.reading import PACK_DIRECTORY, decode_json, read_bytes
 from uniteam.world.homes.check import home_problems
 from uniteam.world.homes.home import Home, Instance, Light, Opening, Room, Stage, Wall
 from uniteam.world.homes.polygon import Polygon, as_rectangle, rectangle

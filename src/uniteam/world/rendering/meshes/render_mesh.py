@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import Point3
-from uniteam.world.assets.files import damaged, modified
 from uniteam.world.assets.mesh import Mesh, load_mesh
 from uniteam.world.assets.model import Model
+from uniteam.world.assets.reading import damaged, modified
 from uniteam.world.rendering.kernels.texture_atlas import WHITE, MipChain, build_mip_chain
 
 Float32Array = NDArray[np.float32]

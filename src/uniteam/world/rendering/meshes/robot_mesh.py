@@ -5,8 +5,8 @@ from functools import lru_cache
 from uniteam.geometry import BasePose
 from uniteam.interface import Joints
 from uniteam.stretch import Transform, link_motions
-from uniteam.world.assets.files import PACK_DIRECTORY
 from uniteam.world.assets.mesh import Mesh, load_mesh
+from uniteam.world.assets.reading import PACK_DIRECTORY
 
 ROBOT_DIRECTORY = PACK_DIRECTORY / "robot"
 PREFIX = "robot/"
