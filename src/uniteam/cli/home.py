@@ -1,64 +1,78 @@
-"""`uniteam home`: generate a home, draw it and list what is in it."""
+"""`uniteam home`: draw a home, of a seed or of a file, and list what is in it."""
 
 from collections import Counter
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
-import cv2
-import numpy as np
 import tyro
-from numpy.typing import NDArray
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
+from uniteam.errors import InvalidInputError
+from uniteam.files import try_folder
 from uniteam.visualization.home_pictures import draw_plan, view_from_above, views_inside
+from uniteam.visualization.picture_file import write_png
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
-from uniteam.world.generation.generate import generate_home
+from uniteam.world.generation.registry import home_of_seed
 from uniteam.world.homes.home import Home, Instance
+from uniteam.world.homes.serialization import read_home
 
 
-def home(
-    seed: Annotated[int, tyro.conf.Positional],
-    pool: Literal["train", "test"] = "test",
-    out: Path | None = None,
-) -> None:
-    """Generate the home of a seed, draw it and list what is in it.
+def home(what: Annotated[str, tyro.conf.Positional], source: str = "test", out: Path | None = None) -> None:
+    """Draw a home and list what is in it.
 
     Args:
-        seed: which home.
-        pool: "train" for the models of training homes, "test" for those kept from them.
-        out: directory for plan.png, above.png and a picture inside each room; "home_SEED" where none is given.
+        what: seed of the home to generate, or a home's own file (JSON).
+        source: what makes the home of a seed: "test" for models kept from training, "train" for the others, or a
+            function of your own, "my_homes:lofts".
+        out: directory for plan.png, above.png and a picture inside each room; "home_SEED" or "home_FILE" where none is
+            given.
     """
-    generated = generate_home(seed, pool)
-    directory = Path(f"home_{seed}") if out is None else out
-    directory.mkdir(parents=True, exist_ok=True)
-    _save(directory / "plan.png", draw_plan(generated))
-    _save(directory / "above.png", view_from_above(generated))
-    for name, image in views_inside(generated):
-        _save(directory / f"{name}.png", image)
+    seed = _seed(what)
+    drawn = home_of_seed(source, seed) if seed is not None else read_home(_file(what))
+    directory = Path(f"home_{Path(what).stem}") if out is None else out
+    try_folder(directory)
+    write_png(directory / "plan.png", draw_plan(drawn))
+    write_png(directory / "above.png", view_from_above(drawn))
+    for name, image in views_inside(drawn):
+        write_png(directory / f"{name}.png", image)
     console = Console()
-    console.print(_table(generated))
-    console.print(f"pictures in {directory}", highlight=False)
+    console.print(_table(drawn))
+    console.print(f"pictures in {escape(str(directory))}", highlight=False, soft_wrap=True)
 
 
-def _save(path: Path, image: NDArray[np.uint8]) -> None:
-    cv2.imwrite(str(path), image[..., ::-1])
+def _seed(what: str) -> int | None:
+    """Return the seed that was given, or None where a file was."""
+    try:
+        return int(what)
+    except ValueError:
+        return None
 
 
-def _table(generated: Home) -> Table:
-    area = sum(room.area for room in generated.stage.rooms)
-    table = Table(title=f"home {generated.name}: {len(generated.stage.rooms)} rooms, {area:.0f} m2", show_lines=True)
+def _file(what: str) -> Path:
+    path = Path(what)
+    if "\0" in what or not path.is_file():
+        raise InvalidInputError(f"'{what}' is neither a seed (a whole number) nor the file of a home")
+    return path
+
+
+def _table(drawn: Home) -> Table:
+    area = sum(room.area for room in drawn.stage.rooms)
+    title = f"home {escape(drawn.name)}: {len(drawn.stage.rooms)} rooms, {area:.0f} m2"
+    table = Table(title=title, show_lines=True)
     for heading in ("room", "m2", "receptacles", "decor", "objects"):
         table.add_column(heading, overflow="fold")
-    for room in generated.stage.rooms:
-        inside = [instance for instance in generated.instances if instance.room == room.name]
+    for room in drawn.stage.rooms:
+        inside = [instance for instance in drawn.instances if instance.room == room.name]
         receptacles = [i for i in inside if i.category in RECEPTACLE_CATEGORIES and not i.movable]
         decor = [i for i in inside if i.category not in RECEPTACLE_CATEGORIES and not i.movable]
         objects = [i for i in inside if i.movable]
-        table.add_row(room.name, f"{room.area:.1f}", _counted(receptacles), _counted(decor), _counted(objects))
+        columns = (_counted(receptacles), _counted(decor), _counted(objects))
+        table.add_row(escape(room.name), f"{room.area:.1f}", *columns)
     return table
 
 
 def _counted(instances: list[Instance]) -> str:
     counts = Counter(instance.category.replace("_", " ") for instance in instances)
-    return ", ".join(name if number == 1 else f"{number} {name}" for name, number in sorted(counts.items()))
+    return escape(", ".join(name if number == 1 else f"{number} {name}" for name, number in sorted(counts.items())))

@@ -28,9 +28,11 @@ from uniteam.world.assets.model import (
 )
 from uniteam.world.assets.reading import damaged, read_json
 
-Identifier = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]*$", max_length=100)]
+Identifier = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]*\Z", max_length=100)]
 """A name that is also a file's: no path leads out of the library's folder."""
-Word = Annotated[str, msgspec.Meta(min_length=1, max_length=200)]
+Word = Annotated[str, msgspec.Meta(pattern=r"^[^\x00-\x1f\x7f-\x9f]+\Z", max_length=200)]
+"""A name that can be printed."""
+Text = Annotated[str, msgspec.Meta(pattern=r"^[^\x00-\x1f\x7f-\x9f]*\Z", max_length=1000)]
 Coordinate = Annotated[float, msgspec.Meta(ge=-100.0, le=100.0)]
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
 Height = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
@@ -61,13 +63,13 @@ class _Model(msgspec.Struct, forbid_unknown_fields=True):
     mass: Annotated[float, msgspec.Meta(gt=0.0, le=10_000.0)]
     shapes: Annotated[tuple[_Shape, ...], msgspec.Meta(max_length=100)] = ()
     surfaces: Annotated[tuple[_Surface, ...], msgspec.Meta(max_length=100)] = ()
-    name: str = ""
+    name: Text = ""
     pool: Pool = "test"
-    source: str = ""
-    source_id: str = ""
-    creator: str = ""
-    licence: str = ""
-    checksum: str = ""
+    source: Text = ""
+    source_id: Text = ""
+    creator: Text = ""
+    licence: Text = ""
+    checksum: Text = ""
 
 
 class CatalogueFile(msgspec.Struct, forbid_unknown_fields=True):

@@ -28,12 +28,15 @@ def read_bytes(path: Path, what: str) -> bytes:
         DamagedFileError: there is no such file, it cannot be read, or it is larger than `MOST_BYTES`.
     """
     try:
-        size = path.stat().st_size
-        if size > MOST_BYTES:
-            raise damaged(path, what, f"it has {size} bytes, more than {MOST_BYTES}")
-        return path.read_bytes()
+        if not path.is_file():
+            raise damaged(path, what, "there is no such file")
+        with path.open("rb") as file:
+            content = file.read(MOST_BYTES + 1)
     except (OSError, ValueError) as error:
         raise damaged(path, what, _reason(error)) from error
+    if len(content) > MOST_BYTES:
+        raise damaged(path, what, f"it has more than {MOST_BYTES} bytes")
+    return content
 
 
 def read_json(path: Path, what: str, schema: type[Schema]) -> Schema:

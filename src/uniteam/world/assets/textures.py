@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.world.assets.catalogue_file import Identifier, Length
+from uniteam.world.assets.catalogue_file import Identifier, Length, Text
 from uniteam.world.assets.image import decode_image
 from uniteam.world.assets.reading import PACK_DIRECTORY, damaged, read_bytes, read_json
 
@@ -46,11 +46,11 @@ class Texture:
 class _Texture(msgspec.Struct, forbid_unknown_fields=True):
     kinds: Annotated[tuple[TextureKind, ...], msgspec.Meta(min_length=1, max_length=2)]
     size: Length
-    title: str = ""
-    source: str = ""
-    creator: str = ""
-    licence: str = ""
-    checksum: str = ""
+    title: Text = ""
+    source: Text = ""
+    creator: Text = ""
+    licence: Text = ""
+    checksum: Text = ""
 
 
 def read_textures(folder: Path) -> Mapping[str, Texture]:

@@ -11,8 +11,11 @@ from typing import Annotated, Literal
 
 import msgspec
 
-Name = Annotated[str, msgspec.Meta(min_length=1, max_length=200)]
-RelativePath = Annotated[str, msgspec.Meta(min_length=1, max_length=1000)]
+Name = Annotated[str, msgspec.Meta(pattern=r"^[^\x00-\x1f\x7f-\x9f]+\Z", max_length=200)]
+"""A name that can be printed."""
+RoomName = Annotated[str, msgspec.Meta(pattern=r"^\w[\w .-]*\Z", max_length=100)]
+"""A name that can be a file's, as the picture of a room has it."""
+RelativePath = Annotated[str, msgspec.Meta(pattern=r"^[^\x00-\x1f\x7f-\x9f]+\Z", max_length=1000)]
 Coordinate = Annotated[float, msgspec.Meta(ge=-1_000.0, le=1_000.0)]
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
 Brightness = Annotated[float, msgspec.Meta(ge=0.0, le=10.0)]
@@ -32,10 +35,10 @@ class LightData(msgspec.Struct, forbid_unknown_fields=True):
 class RoomData(msgspec.Struct, forbid_unknown_fields=True):
     """A `Room`, with its outline or with the two corners of a rectangle."""
 
-    name: Name
+    name: RoomName
     kind: Name
-    floor_texture: str | None
-    wall_texture: str | None
+    floor_texture: Name | None
+    wall_texture: Name | None
     wall_tint: tuple[Share, Share, Share]
     light: LightData
     low: Corner | None = None
@@ -75,12 +78,12 @@ class InstanceData(msgspec.Struct, forbid_unknown_fields=True):
     """An `Instance`."""
 
     name: Name
-    model: str
-    category: str
+    model: Name
+    category: Name
     movable: bool
     position: tuple[Coordinate, Coordinate, Height]
     quaternion: tuple[Part, Part, Part, Part]
-    room: str
+    room: RoomName
 
 
 class HomeData(msgspec.Struct, forbid_unknown_fields=True):

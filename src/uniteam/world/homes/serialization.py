@@ -14,6 +14,7 @@ from typing import Any
 import msgspec
 
 from uniteam.errors import DamagedFileError, InvalidInputError
+from uniteam.files import write_whole
 from uniteam.world.assets.catalogue import Catalogue, load_catalogue, load_library
 from uniteam.world.assets.reading import PACK_DIRECTORY, decode_json, read_bytes
 from uniteam.world.homes.check import home_problems
@@ -80,11 +81,9 @@ def read_home(path: Path) -> Home:
 
 
 def write_home(home: Home, path: Path) -> None:
-    """Write a home into a JSON file of its own; raises InvalidInputError, OSError."""
+    """Write a home into a JSON file of its own; raises InvalidInputError, UnwritableError."""
     text = json.dumps(home_to_data(home, path.parent), separators=(",", ":")) + "\n"
-    partial = path.with_name(path.name + ".partial")
-    partial.write_text(text, encoding="utf-8")
-    partial.replace(path)
+    write_whole(path, text.encode())
 
 
 def home_digest(home: Home) -> str:
@@ -123,13 +122,13 @@ def _relative(path: Path, folder: Path) -> str:
 
 def _inner(name: str, path: str) -> Path:
     """Return a path that data names, relative as it must be; raises DamagedFileError."""
-    if "\0" in path or PurePosixPath(path).is_absolute() or Path(path).is_absolute():
+    if PurePosixPath(path).is_absolute() or Path(path).is_absolute():
         raise _wrong(name, f"the path '{path}' must lead from the folder of the home's own file")
     return Path(path)
 
 
 def _wrong(name: object, reason: str) -> DamagedFileError:
-    called = f"home '{name}'" if isinstance(name, str) else "a home without a name"
+    called = f"home {name[:100]!r}" if isinstance(name, str) else "a home without a name"
     return DamagedFileError(f"{called} cannot be used: {_field(reason)}; mend its data or write it anew")
 
 
