@@ -67,9 +67,11 @@ def evaluate(
     if not 0.0 < episode_seconds <= LONGEST_EPISODE:
         raise InvalidInputError(f"--episode-seconds must be above 0 and at most a week, got {episode_seconds}")
     console = make_console()
-    labelled = label_agents(agents, perception, with_, without)
-    run = Run(split, labelled, perception, camera, episodes, episode_seconds)
-    with Evaluation(run, out or default_directory(run)) as evaluation:
+    with console.status("reading the split and the models"):
+        labelled = label_agents(agents, perception, with_, without)
+        run = Run(split, labelled, perception, camera, episodes, episode_seconds)
+        opened = Evaluation(run, out or default_directory(run))
+    with opened as evaluation:
         lost = _play(evaluation, _worker_count(workers, len(evaluation.remaining)), console)
         evaluation.write_summary()
         console.print(challenge_table(_rows(evaluation, breakdown), _caption(evaluation), console.width, shown))

@@ -52,8 +52,9 @@ def run(
     episodes = load_split(split)
     chosen = _choose(episodes.episodes, episode, split)
     with ExitStack() as stack:
+        status = stack.enter_context(console.status("starting (the first time on a machine, compiling)"))
         environment = Environment(episodes.homes[chosen.home], chosen, camera_named(camera), spec.needs_truth)
-        observers: list[Observer] = [Narrator(_speak_to(console))]
+        observers: list[Observer] = [lambda step: status.stop(), Narrator(_speak_to(console))]
         if video is not None:
             stack.push(_teller_of_film(video, console))
             film = stack.enter_context(Film(video, environment, f"{label} · {episodes.name} · episode {episode}"))
