@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from uniteam.cli.main import COMMANDS, main
+from uniteam.errors import UnknownNameError
 
 
 def call(*arguments: str) -> int:
@@ -72,6 +73,12 @@ def test_a_misspelt_command_is_answered_with_the_nearest(capsys: pytest.CaptureF
         (("--with", "drop_hight"), "unknown improvement 'drop_hight': did you mean 'drop_height'?"),
         (("--workers", "0"), "--workers must be at least 1, got 0"),
         (("--episodes", "0"), "--episodes must be at least 1, got 0"),
+        (("--workers", "-" + "9" * 400), "--workers must be at least 1, got -999"),
+        (("--agents",), "--agents needs at least one name"),
+        (("--episode-seconds", "0"), "--episode-seconds must be above 0"),
+        (("--episode-seconds", "nan"), "--episode-seconds must be above 0"),
+        (("--episode-seconds", "1e400"), "--episode-seconds must be above 0"),
+        (("--split", "\x1b[31m"), r"'\x1b[31m' holds a control character"),
     ],
 )
 def test_a_bad_value_of_evaluate_is_answered_in_one_sentence(
@@ -94,3 +101,38 @@ def test_a_damaged_split_is_answered_in_one_sentence(tmp_path: Path, capsys: pyt
 
 def test_an_episode_that_does_not_exist_is_answered_with_those_that_do(capsys: pytest.CaptureFixture[str]) -> None:
     assert "has episodes 0 to 9, there is no episode 10" in complaint(capsys, "run", "--episode", "10")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("evaluate", "--agents", "random", "--out", "file"), "'file' cannot be written (File exists)"),
+        (("evaluate", "--agents", "random", "--out", "file/out"), "'file/out' cannot be written (Not a directory)"),
+        (("evaluate", "--agents", "random", "--out", "x" * 300), "cannot be written (File name too long)"),
+        (("bench", "--out", "."), "'.' is a folder; give the name of a file"),
+        (("bench", "--out", "file/bench.json"), "'file' cannot be written (File exists)"),
+        (("run", "--video", ""), "'.' is a folder; give the name of a file"),
+        (("run", "--video", "folder.mp4"), "'folder.mp4' is a folder; give the name of a file"),
+        (("run", "--video", "film.avi"), "'film.avi' must end in .mp4"),
+        (("run", "--video", "file/film.mp4"), "'file' cannot be written (File exists)"),
+    ],
+)
+def test_an_output_that_cannot_be_written_is_told_before_the_work(
+    arguments: tuple[str, ...],
+    sentence: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("file").touch()
+    Path("folder.mp4").mkdir()
+    assert sentence in complaint(capsys, *arguments)
+    assert capsys.readouterr().out == ""
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder.mp4"]
+
+
+def test_errors_show_their_traceback_where_it_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("UNITEAM_DEBUG", "1")
+    with pytest.raises(UnknownNameError):
+        main(["evalute"])

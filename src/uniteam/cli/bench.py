@@ -53,7 +53,8 @@ def bench(out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None
 def _compare(split: Split, console: Console) -> dict[str, Any]:
     """Print how much faster the camera is than MuJoCo's renderer, or why that is not known; return it as JSON data."""
     try:
-        comparison = compare_cameras(split)
+        with console.status("comparing the camera with MuJoCo's renderer"):
+            comparison = compare_cameras(split)
     except OpenGLMissingError as error:
         console.print(f"The camera was not compared with MuJoCo's renderer: {shown(error)}.")
         return {"camera_speedup": None, "camera_comparison_missing": str(error)}

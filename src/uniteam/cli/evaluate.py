@@ -1,25 +1,21 @@
 """`uniteam evaluate`: agents over a split, and the challenge's table."""
 
-from collections import Counter
 from pathlib import Path
 from typing import Annotated, Literal
 
 import tyro
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
 
 import uniteam
-from uniteam.cli.terminal import Interrupted, make_console, shown
+from uniteam.cli.progress import play_under_bar
+from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.evaluation.agent_spec import label_agents
 from uniteam.evaluation.analysis.table import Row, challenge_table
 from uniteam.evaluation.backends.capacity import allowed_cores, most_workers
-from uniteam.evaluation.backends.processes import Lost
 from uniteam.evaluation.configuration import Run
 from uniteam.evaluation.evaluation import Evaluation
-from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.results.summary import summarize
-from uniteam.world.task.episode import Episode
 
 LONGEST_EPISODE = 86_400.0 * 7
 """s."""
@@ -67,10 +63,12 @@ def evaluate(
     if not 0.0 < episode_seconds <= LONGEST_EPISODE:
         raise InvalidInputError(f"--episode-seconds must be above 0 and at most a week, got {episode_seconds}")
     console = make_console()
-    labelled = label_agents(agents, perception, with_, without)
-    run = Run(split, labelled, perception, camera, episodes, episode_seconds)
-    with Evaluation(run, out or default_directory(run)) as evaluation:
-        lost = _play(evaluation, _worker_count(workers, len(evaluation.remaining)), console)
+    with console.status("reading the split and the models"):
+        labelled = label_agents(agents, perception, with_, without)
+        run = Run(split, labelled, perception, camera, episodes, episode_seconds)
+        opened = Evaluation(run, out or default_directory(run))
+    with opened as evaluation:
+        lost = play_under_bar(evaluation, _worker_count(workers, len(evaluation.remaining)), console)
         evaluation.write_summary()
         console.print(challenge_table(_rows(evaluation, breakdown), _caption(evaluation), console.width, shown))
         _report(evaluation, console)
@@ -94,55 +92,10 @@ def _worker_count(asked: int | None, jobs: int) -> int:
     """Return how many worker processes to use, and say so where it is fewer than were asked for."""
     room = most_workers()
     count = min(asked or allowed_cores(), room, max(jobs, 1))
-    if asked is not None and count < asked:
-        why = f"there is memory for {room}" if count == room else f"{jobs} episodes are to be played"
+    if asked is not None and count < asked and jobs:
+        why = f"there are cores and memory for {room}" if count == room else f"{jobs} episodes are to be played"
         make_console(stderr=True).print(f"[yellow]{count} workers instead of {asked}: {why}.[/]", soft_wrap=True)
     return count
-
-
-def _play(evaluation: Evaluation, worker_count: int, console: Console) -> list[str]:
-    """Play what remains under a progress bar that counts the successes so far; return why episodes were lost."""
-    remaining, total = len(evaluation.remaining), len(evaluation.attempts)
-    directory = shown(evaluation.store.directory)
-    if remaining < total:
-        console.print(f"{total - remaining} of {total} episodes were played before; their results are in {directory}.")
-    if not remaining:
-        return []
-    columns = (
-        SpinnerColumn(),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeRemainingColumn(),
-        TextColumn("{task.description}"),
-    )
-    lost: list[str] = []
-    with Progress(*columns, console=console, speed_estimate_period=600.0) as progress:
-        bar = progress.add_task("starting (the first time on a machine, compiling)", total=total)
-        progress.update(bar, completed=total - remaining)
-        tally = _Tally(evaluation)
-
-        def log(agent: str, episode: str, words: str) -> None:
-            if not console.is_terminal:  # a log has no bar to watch
-                done = f"{total - len(evaluation.remaining)}/{total}"
-                console.print(f"{done} {shown(f'{agent}, {episode}: {words}')}", soft_wrap=True)
-
-        def advance(agent: str, result: EpisodeResult) -> None:
-            progress.update(bar, advance=1, description=tally.after(agent, result))
-            log(agent, result.episode, result.failure or "success")
-
-        def note_lost(agent: str, episode: Episode, outcome: Lost) -> None:
-            lost.append(outcome.reason)
-            log(agent, episode.id, f"lost: {outcome.reason}")
-
-        try:
-            evaluation.play(worker_count, advance, note_lost)
-        except KeyboardInterrupt as stop:
-            kept = total - len(evaluation.remaining)
-            progress.update(bar, description="stopped")
-            by = f" by {stop}" if isinstance(stop, Interrupted) else ""
-            console.print(f"Stopped{by}: {kept} of {total} results are kept in {directory}. The same command goes on.")
-            raise
-    return lost
 
 
 def _lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
@@ -151,25 +104,6 @@ def _lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
         f"{len(lost)} of the episodes were lost by no fault of the agents ({reasons}); they are not counted, "
         f"{evaluation.store.directory / 'lost.jsonl'} says more, and the same command plays them again"
     )
-
-
-class _Tally:
-    """Overall successes so far, as the progress bar's words."""
-
-    def __init__(self, evaluation: Evaluation) -> None:
-        self._played: Counter[str] = Counter()
-        self._succeeded: Counter[str] = Counter()
-        for agent, results in evaluation.results().items():
-            for result in results:
-                if agent in evaluation.run.agents:
-                    self.after(agent, result)
-
-    def after(self, agent: str, result: EpisodeResult) -> str:
-        """Count a result and return the words."""
-        self._played[agent] += 1
-        self._succeeded[agent] += result.measures.overall_success
-        counts = ", ".join(f"{name} {self._succeeded[name]}/{n}" for name, n in self._played.items())
-        return shown(f"succeeded: {counts}")
 
 
 def _rows(evaluation: Evaluation, breakdown: bool) -> dict[str, Row]:

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
+from types import TracebackType
 from typing import Annotated, Literal
 
 import tyro
@@ -51,17 +52,29 @@ def run(
     episodes = load_split(split)
     chosen = _choose(episodes.episodes, episode, split)
     with ExitStack() as stack:
+        status = stack.enter_context(console.status("starting (the first time on a machine, compiling)"))
         environment = Environment(episodes.homes[chosen.home], chosen, camera_named(camera), spec.needs_truth)
-        observers: list[Observer] = [Narrator(_speak_to(console))]
+        observers: list[Observer] = [lambda step: status.stop(), Narrator(_speak_to(console))]
         if video is not None:
+            stack.push(_teller_of_film(video, console))
             film = stack.enter_context(Film(video, environment, f"{label} · {episodes.name} · episode {episode}"))
             observers.append(film)
         where = shown(f"({episodes.name}, episode {episode}, {label}, {perception})")
         console.print(f"[bold]{shown(chosen.instruction)}[/] {where}\n")
         result = play_episode(environment, spec.make(environment), lambda step: _show(step, observers))
-    _report(result, console)
-    if video is not None:
-        console.print(f"Film: {shown(video)}", soft_wrap=True)
+        _report(result, console)
+
+
+def _teller_of_film(
+    video: Path, console: Console
+) -> Callable[[type[BaseException] | None, BaseException | None, TracebackType | None], None]:
+    """Return what says where the film is once it is closed: the whole of it, or up to where it was stopped."""
+
+    def tell(kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        if kind is None or issubclass(kind, KeyboardInterrupt):
+            console.print(f"Film: {shown(video)}{'' if kind is None else ', up to here'}", soft_wrap=True)
+
+    return tell
 
 
 def _choose(episodes: tuple[Episode, ...], index: int, split: str) -> Episode:

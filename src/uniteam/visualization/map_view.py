@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
 from uniteam.interface import MapLabel, MapOverlay
+from uniteam.stretch import BASE_RADIUS
 from uniteam.visualization.canvas import Image
 from uniteam.visualization.colors import GOAL_POINT, MAP_COLORS, PATH, ROBOT
 
-ROBOT_RADIUS = 0.3
 MARGIN = 1.0
 SMALLEST_VIEW = 6.0
 
@@ -85,8 +85,8 @@ class _View:
 
 def _draw_robot(picture: Image, view: _View, base: BasePose) -> None:
     """Draw the base as a disc with a nose that shows its heading."""
-    nose = base.compose(BasePose(2.0 * ROBOT_RADIUS, 0.0, 0.0))
-    radius = max(round(ROBOT_RADIUS * view.scale), 4)
+    nose = base.compose(BasePose(2.0 * BASE_RADIUS, 0.0, 0.0))
+    radius = max(round(BASE_RADIUS * view.scale), 4)
     cv2.circle(picture, view.pixel(base.x, base.y), radius, ROBOT, cv2.FILLED, cv2.LINE_AA)
     cv2.circle(picture, view.pixel(base.x, base.y), radius, (255, 255, 255), 1, cv2.LINE_AA)
     cv2.line(picture, view.pixel(base.x, base.y), view.pixel(nose.x, nose.y), (255, 255, 255), 3, cv2.LINE_AA)

@@ -59,10 +59,12 @@ def test_a_limit_that_is_none_is_none(tmp_path: Path) -> None:
     assert free_memory(machine(tmp_path, "4:memory:/\n", none)) == 64 * GB
 
 
-def test_there_is_always_one_worker(tmp_path: Path) -> None:
+@pytest.mark.usefixtures("bound")
+def test_there_is_always_one_worker_and_never_more_than_four_a_core(tmp_path: Path) -> None:
     used_up = {"memory.max": str(GB), "memory.current": str(2 * GB)}
     assert most_workers(machine(tmp_path, "0::/\n", used_up)) == 1
-    assert most_workers(machine(tmp_path / "other", "0::/\n", {})) > 10
+    assert most_workers(machine(tmp_path / "other", "0::/\n", {})) == 32
+    assert most_workers(machine(tmp_path / "small", "0::/\n", {}, available=3 * GB)) == 3
 
 
 def test_this_machine_has_cores_and_memory() -> None:

@@ -7,6 +7,9 @@ from pathlib import Path
 WORKER_MEMORY = 1.0e9
 """Bytes: a worker with a large home and the full-size camera stays below it."""
 
+WORKERS_PER_CORE = 4
+"""More would only wait for each other, even where their agents wait for something else most of the time."""
+
 _UNLIMITED = 1 << 60
 """Version 1 of cgroups writes "no limit" as a number beyond any memory."""
 
@@ -33,8 +36,8 @@ def free_memory(root: Path = _ROOT) -> float:
 
 
 def most_workers(root: Path = _ROOT) -> int:
-    """Return how many workers fit into the free memory; at least one."""
-    return max(1, int(free_memory(root) / WORKER_MEMORY))
+    """Return how many workers fit into the free memory and do not get in each other's way; at least one."""
+    return max(1, min(int(free_memory(root) / WORKER_MEMORY), WORKERS_PER_CORE * allowed_cores(root)))
 
 
 def _available(root: Path) -> float:

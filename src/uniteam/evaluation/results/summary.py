@@ -6,6 +6,7 @@ from typing import Any
 
 from uniteam.evaluation.results.intervals import Estimate, estimate_mean, estimate_proportion
 from uniteam.evaluation.results.result import EpisodeResult, measures_to_data
+from uniteam.world.task.environment import MAXIMUM_STEPS
 
 PROPORTIONS = (
     "find_object_phase_success",
@@ -17,7 +18,11 @@ PROPORTIONS = (
 )
 """Measures that are true or false: Wilson's interval."""
 
-MEANS = {"partial_success": (0.0, 1.0), "robot_scene_colls": (0.0, 1250.0), "num_steps": (0.0, 1250.0)}
+MEANS = {
+    "partial_success": (0.0, 1.0),
+    "robot_scene_colls": (0.0, float(MAXIMUM_STEPS)),
+    "num_steps": (0.0, float(MAXIMUM_STEPS)),
+}
 """Measures that are numbers, with the bounds that they cannot leave: Student's interval."""
 
 

@@ -1,0 +1,76 @@
+"""An evaluation under a progress bar, or line by line in a log."""
+
+from collections import Counter
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
+
+from uniteam.cli.terminal import Interrupted, shown
+from uniteam.evaluation.backends.processes import Lost
+from uniteam.evaluation.evaluation import Evaluation
+from uniteam.evaluation.results.result import EpisodeResult
+from uniteam.world.task.episode import Episode
+
+
+def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console) -> list[str]:
+    """Play what remains under a progress bar that counts the successes so far; return why episodes were lost."""
+    remaining, total = len(evaluation.remaining), len(evaluation.attempts)
+    directory = shown(evaluation.store.directory)
+    if remaining < total:
+        console.print(f"{total - remaining} of {total} episodes were played before; their results are in {directory}.")
+    if not remaining:
+        return []
+    columns = (
+        SpinnerColumn(),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
+        TextColumn("{task.description}"),
+    )
+    lost: list[str] = []
+    with Progress(*columns, console=console, speed_estimate_period=600.0) as progress:
+        bar = progress.add_task("starting (the first time on a machine, compiling)", total=total)
+        progress.update(bar, completed=total - remaining)
+        tally = _Tally(evaluation)
+
+        def log(agent: str, episode: str, words: str) -> None:
+            if not console.is_terminal:  # a log has no bar to watch
+                done = f"{total - len(evaluation.remaining)}/{total}"
+                console.print(f"{done} {shown(f'{agent}, {episode}: {words}')}", soft_wrap=True)
+
+        def advance(agent: str, result: EpisodeResult) -> None:
+            progress.update(bar, advance=1, description=tally.after(agent, result))
+            log(agent, result.episode, result.failure or "success")
+
+        def note_lost(agent: str, episode: Episode, outcome: Lost) -> None:
+            lost.append(outcome.reason)
+            log(agent, episode.id, f"lost: {outcome.reason}")
+
+        try:
+            evaluation.play(worker_count, advance, note_lost)
+        except KeyboardInterrupt as stop:
+            kept = total - len(evaluation.remaining)
+            progress.update(bar, description="stopped")
+            by = f" by {stop}" if isinstance(stop, Interrupted) else ""
+            console.print(f"Stopped{by}: {kept} of {total} results are kept in {directory}. The same command goes on.")
+            raise
+    return lost
+
+
+class _Tally:
+    """Overall successes so far, as the progress bar's words."""
+
+    def __init__(self, evaluation: Evaluation) -> None:
+        self._played: Counter[str] = Counter()
+        self._succeeded: Counter[str] = Counter()
+        for agent, results in evaluation.results().items():
+            for result in results:
+                if agent in evaluation.run.agents:
+                    self.after(agent, result)
+
+    def after(self, agent: str, result: EpisodeResult) -> str:
+        """Count a result and return the words."""
+        self._played[agent] += 1
+        self._succeeded[agent] += result.measures.overall_success
+        counts = ", ".join(f"{name} {self._succeeded[name]}/{n}" for name, n in self._played.items())
+        return shown(f"succeeded: {counts}")
