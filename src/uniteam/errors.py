@@ -11,20 +11,22 @@ class UniteamError(Exception):
 class UnknownNameError(UniteamError):
     """A name that is not among the valid ones; the message offers the nearest."""
 
-    def __init__(self, kind: str, name: str, valid: Iterable[str]) -> None:
+    def __init__(self, kind: str, name: str, valid: Iterable[str], hint: str = "") -> None:
         """Build the message.
 
         Args:
             kind: what the name names, in the singular ("agent", "split").
             name: what was given.
             valid: every name that would have been accepted.
+            hint: what else could be given.
         """
         names = sorted(valid)
         nearest = get_close_matches(name, names, n=1, cutoff=0.4)
-        hint = f"did you mean '{nearest[0]}'? " if nearest else ""
+        guess = f"did you mean '{nearest[0]}'? " if nearest else ""
         some = names if len(names) <= 30 else get_close_matches(name, names, n=5, cutoff=0.0)
         shown = ", ".join(some) + (f" and {len(names) - len(some)} more" if len(names) > len(some) else "")
-        super().__init__(f"unknown {kind} '{name}': {hint}Valid: {shown}.")
+        more = f", {hint}" if hint else ""
+        super().__init__(f"unknown {kind} '{name}': {guess}Valid: {shown}{more}.")
 
 
 class DamagedFileError(UniteamError):
@@ -33,3 +35,7 @@ class DamagedFileError(UniteamError):
 
 class InvalidInputError(UniteamError):
     """A value of the wrong shape, type or range."""
+
+
+class InvalidActionError(InvalidInputError):
+    """What was given to `step` is no action, or holds a value that no robot can do; nothing has moved."""

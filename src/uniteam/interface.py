@@ -4,10 +4,10 @@ The world gives an `Observation`; the mind returns a `Decision`, which holds an 
 the same agent runs in the simulator, on a recording and on a robot.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass, field, fields
+import math
+from dataclasses import dataclass, fields
 from enum import Enum, IntEnum
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,8 +48,39 @@ class Joints:
         return Joints(*(getattr(self, f.name) - getattr(other, f.name) for f in fields(Joints)))
 
 
+@dataclass(frozen=True)
+class ActionLimits:
+    """What an action does to the base, and the bounds of what can be asked of it; those of the challenge.
+
+    Attributes:
+        forward_step: how far `MOVE_FORWARD` drives (m).
+        turn_step: by how much `TURN_LEFT` and `TURN_RIGHT` turn (rad).
+        least_move: a continuous displacement along an axis that is shorter is not done (m).
+        most_move: a longer one is cut to it (m).
+        least_turn: a continuous turn that is smaller is not done (rad).
+        most_turn: a larger one is cut to it (rad).
+    """
+
+    forward_step: float = 0.25
+    turn_step: float = math.radians(30.0)
+    least_move: float = 0.1
+    most_move: float = 1.0
+    least_turn: float = math.radians(5.0)
+    most_turn: float = math.pi
+
+
+ACTION_LIMITS = ActionLimits()
+"""The limits of every body that speaks this interface."""
+
+
 class DiscreteAction(Enum):
-    """The challenge's discrete actions."""
+    """The challenge's discrete actions.
+
+    Two do more than the challenge's: `MANIPULATION_MODE` turns the base by 90 degrees to the left, so that the arm points
+    to where the robot faced, and `NAVIGATION_MODE` turns it back if the robot was manipulating. `EXTEND_ARM` extends the
+    arm to its limit and leaves the lift where it is. `SNAP_OBJECT` grasps the nearest object of the asked class that the
+    camera sees within `uniteam.stretch.GRASP_RANGE` of the gripper.
+    """
 
     STOP = "stop"
     MOVE_FORWARD = "move_forward"
@@ -65,7 +96,10 @@ class DiscreteAction(Enum):
 
 @dataclass(frozen=True)
 class BaseDisplacement:
-    """Move the base: x forward and y left (m) in the base frame, then turn by heading (rad, left-positive)."""
+    """Move the base: x forward and y left (m) in the base frame, then turn by heading (rad, left-positive).
+
+    What `ACTION_LIMITS` calls too small is not done, what it calls too large is cut.
+    """
 
     x: float = 0.0
     y: float = 0.0
@@ -74,7 +108,7 @@ class BaseDisplacement:
 
 @dataclass(frozen=True)
 class JointDisplacement:
-    """Move the joints by `delta`, after a displacement of the base."""
+    """Move the joints by `delta`, after a displacement of the base; they stop at `uniteam.stretch.JOINT_LIMITS`."""
 
     delta: Joints
     base: BaseDisplacement = BaseDisplacement()
@@ -94,6 +128,15 @@ class Detection:
 
     candidates: tuple[tuple[str, float], ...]
     embedding: NDArray[np.float32] | None = None
+
+    def __post_init__(self) -> None:
+        if not self.candidates:
+            raise InvalidInputError("a detection needs at least one (name, score) candidate, got none")
+        for name, score in self.candidates:
+            if not isinstance(name, str) or not 0.0 <= score <= 1.0:
+                raise InvalidInputError(
+                    f"a detection's candidates must be (name, score) with a score in [0, 1], got ({name!r}, {score!r})"
+                )
 
     @property
     def name(self) -> str:
@@ -119,8 +162,17 @@ class Segmentation:
     detections: tuple[Detection, ...]
 
     def __post_init__(self) -> None:
-        if self.instances.ndim != 2:
-            raise InvalidInputError(f"a segmentation's instances must be (H, W), got {self.instances.shape}")
+        if self.instances.ndim != 2 or self.instances.dtype != np.int16:
+            raise InvalidInputError(
+                f"a segmentation's instances must be (H, W) int16, got {self.instances.shape} {self.instances.dtype}; "
+                "convert them with astype(np.int16)"
+            )
+        lowest, highest = self.instances.min(initial=-1), self.instances.max(initial=-1)
+        if lowest < -1 or highest >= len(self.detections):
+            raise InvalidInputError(
+                f"a segmentation's instances must be indices of its {len(self.detections)} detections, or -1 where there "
+                f"is none, got {lowest} to {highest}"
+            )
 
 
 @dataclass(frozen=True)
@@ -156,6 +208,16 @@ class Observation:
                 f"a frame of a {shape[1]}x{shape[0]} camera needs rgb {(*shape, 3)} and depth {shape}, "
                 f"got {self.rgb.shape} and {self.depth.shape}"
             )
+        if self.rgb.dtype != np.uint8:
+            raise InvalidInputError(f"rgb must be uint8 in 0 to 255, got {self.rgb.dtype}; convert it before")
+        if self.depth.dtype != np.float32:
+            raise InvalidInputError(
+                f"depth must be float32 in metres, got {self.depth.dtype}; divide millimetres by 1000 and convert"
+            )
+        if not (self.depth.min(initial=0.0) >= 0.0 and self.depth.max(initial=0.0) < np.inf):
+            raise InvalidInputError("depth must be finite and not negative; give 0 where nothing returned, never NaN")
+        if self.truth is not None and self.truth.instances.shape != shape:
+            raise InvalidInputError(f"the truth must have the frame's size {shape}, got {self.truth.instances.shape}")
 
 
 class MapLabel(IntEnum):
@@ -195,21 +257,30 @@ class MapOverlay:
 
 @dataclass(frozen=True)
 class Decision:
-    """What the mind wants done, and why.
+    """What the mind wants done, and why: a value that can be recorded and sent.
 
     Attributes:
         action: what to do.
         state: the state of the agent's machine ("FIND_OBJECT").
         reason: one sentence of why.
-        segmentation: what perception made of the observation, or None for an agent that does not look.
-        overlay: call it, within the same step, for the map behind the decision; None for an agent without a map.
     """
 
     action: Action
     state: str
     reason: str
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """What is behind a decision, for films, recordings and reports.
+
+    Attributes:
+        segmentation: what perception made of the observation; None for an agent that does not look.
+        overlay: the map and the plan; None for an agent without a map.
+    """
+
     segmentation: Segmentation | None = None
-    overlay: Callable[[], MapOverlay] | None = field(default=None, compare=False)
+    overlay: MapOverlay | None = None
 
 
 class Agent(Protocol):
@@ -222,5 +293,32 @@ class Agent(Protocol):
         """Decide what to do next."""
 
 
-Perception = Callable[[Observation, Instruction], Segmentation]
-"""From what is seen to what it is; the instruction gives the vocabulary. May be any callable, stateful or not."""
+@runtime_checkable
+class Explaining(Protocol):
+    """An agent that can say what is behind its decisions; it is asked only where someone looks."""
+
+    def explain(self) -> Explanation:
+        """Return what is behind the last decision; ask before the next `act`."""
+
+
+class Perception(Protocol):
+    """From what is seen to what it is.
+
+    One that sets the class attribute `needs_truth = True` is shown observations with the simulator's own segmentation.
+    """
+
+    def reset(self, instruction: Instruction, seed: int) -> None:
+        """Forget everything; the instruction gives the vocabulary, `seed` fixes every random choice of the episode."""
+
+    def perceive(self, observation: Observation) -> Segmentation:
+        """Return the segmentation of an observation, of the same height and width."""
+
+
+class Body(Protocol):
+    """Whatever acts and sees: a simulated robot, a recording, a real Stretch."""
+
+    def reset(self) -> Observation:
+        """Begin, and look; poses are relative to where the base stands now."""
+
+    def step(self, action: Action) -> Observation:
+        """Do one action and look; raises InvalidActionError, before anything moves, for what is no action."""

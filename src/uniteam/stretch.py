@@ -22,6 +22,12 @@ BASE_RADIUS = 0.30
 ROBOT_HEIGHT = 1.41
 """Height of that cylinder (m)."""
 
+DEPTH_RANGE = 10.0
+"""How far the depth camera measures (m); beyond, depth is 0."""
+
+GRASP_RANGE = 0.8
+"""How far from the grasp centre an object's middle may be to be grasped (m), as in the challenge."""
+
 ARM_SEGMENTS = 4
 """The arm telescopes in four segments that share its extension equally."""
 
@@ -64,6 +70,16 @@ HEAD_CAMERA = (0.0454, -0.002942, 1.322193 + HEAD_RISE)
 
 _CAMERA_AXES = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]])
 _GRIPPER_AXES = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+
+
+def is_navigation_posture(joints: Joints) -> bool:
+    """Return whether the head looks ahead over a retracted arm; from elsewhere the camera may see the arm itself."""
+    return math.hypot(joints.head_pan, joints.arm) < 0.05
+
+
+def looks_along_arm(joints: Joints) -> bool:
+    """Return whether the head is turned to the arm's side, as in `MANIPULATION_POSTURE`."""
+    return joints.head_pan < -1.0
 
 
 def clamp_joints(joints: Joints) -> Joints:

@@ -1,56 +1,138 @@
 """The agents by name."""
 
-from collections.abc import Iterable
-from typing import Any
+import inspect
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any, cast
 
-from uniteam.errors import UnknownNameError
-from uniteam.interface import Agent
+from uniteam.errors import InvalidInputError
+from uniteam.interface import Agent, Body, Perception
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
 from uniteam.mind.agents.improvement import Improvement, improvements_named
 from uniteam.mind.agents.random_agent import RandomAgent
-from uniteam.mind.perception.registry import perception_kind
-
-AGENT_NAMES = ("baseline", "uniteam", "random")
-
-_IMPROVEMENTS_OF: dict[str, frozenset[Improvement]] = {"baseline": frozenset(), "uniteam": frozenset(Improvement)}
+from uniteam.mind.perception.registry import PERCEPTIONS, make_perception
+from uniteam.registry import Registry
 
 
-def make_agent(name: str, perception: str = "truth", with_: Iterable[str] = (), without: Iterable[str] = ()) -> Agent:
+@dataclass(frozen=True)
+class AgentContext:
+    """What an agent may be made of.
+
+    Attributes:
+        perception: name of the kind of perception that the run asks for.
+        environment: what the agent will act in; None unless its factory has the attribute `needs_truth = True`, for it
+            tells the truth to whoever asks.
+    """
+
+    perception: str
+    environment: Body | None
+
+    def make_perception(self) -> Perception:
+        """Return a new perception of the kind that the run asks for."""
+        return make_perception(self.perception)
+
+
+AgentFactory = Callable[[AgentContext], Agent] | Callable[[], Agent]
+"""Builds an agent from a context, or from nothing."""
+
+
+def _checked(name: str, value: object) -> AgentConfig | AgentFactory:
+    if isinstance(value, AgentConfig):
+        return value
+    if not callable(value):
+        raise InvalidInputError(
+            f"agent '{name}' must be an AgentConfig, or a class or function that makes an agent of an AgentContext or of "
+            f"nothing, got {type(value).__name__}"
+        )
+    return cast(AgentFactory, value)
+
+
+AGENTS: Registry[AgentConfig | AgentFactory] = Registry("agent", "uniteam.agents", _checked)
+AGENTS.register("baseline", BASELINE)
+AGENTS.register("uniteam", BASELINE.with_improvements(frozenset(Improvement)))
+AGENTS.register("random", RandomAgent)
+
+
+def make_agent(
+    name: str,
+    perception: str = "truth",
+    with_: Iterable[str] = (),
+    without: Iterable[str] = (),
+    environment: Body | None = None,
+) -> Agent:
     """Return a new agent.
 
     Args:
-        name: one of `AGENT_NAMES`.
-        perception: one of `PERCEPTIONS`; the random agent does not look.
+        name: of an agent, or a reference "module:attribute".
+        perception: name or reference of the kind of perception; an agent that does not look makes nothing of it.
         with_: names of improvements to add to what the agent has.
         without: names of improvements to take away from it.
+        environment: what it will act in; shown only to an agent whose factory has `needs_truth = True`.
 
     Raises:
         UnknownNameError: an agent, a perception or an improvement that there is none of, with the nearest valid name.
+        InvalidInputError: what the factory makes is no agent.
     """
-    kind, config = perception_kind(perception), agent_config(name, with_, without)
-    return RandomAgent() if config is None else HeuristicAgent(config, kind.make())
+    entry = _entry(name, with_, without)
+    PERCEPTIONS.get(perception)
+    if isinstance(entry, AgentConfig):
+        return HeuristicAgent(entry, make_perception(perception))
+    context = AgentContext(perception, environment if is_told_the_truth(name) else None)
+    return _checked_agent(name, _call(entry, context))
 
 
 def agent_config(name: str, with_: Iterable[str] = (), without: Iterable[str] = ()) -> AgentConfig | None:
     """Return the configuration of an agent; None for one that has none. Takes and raises what `make_agent` does."""
-    if name not in AGENT_NAMES:
-        raise UnknownNameError("agent", name, AGENT_NAMES)
-    added, removed = improvements_named(with_), improvements_named(without)
-    if name not in _IMPROVEMENTS_OF:
-        return None
-    return BASELINE.with_improvements((_IMPROVEMENTS_OF[name] | added) - removed)
+    entry = _entry(name, with_, without)
+    return entry if isinstance(entry, AgentConfig) else None
 
 
 def describe_agent(
     name: str, perception: str = "truth", with_: Iterable[str] = (), without: Iterable[str] = ()
 ) -> dict[str, Any]:
-    """Return an agent's resolved configuration as JSON data. Takes and raises what `make_agent` does."""
-    perception_kind(perception)
-    return {"agent": name, "perception": perception, "config": describe(agent_config(name, with_, without))}
+    """Return everything that an agent's results depend on, as JSON data. Takes and raises what `make_agent` does."""
+    code = {name: AGENTS.outside_code(name), perception: PERCEPTIONS.outside_code(perception)}
+    return {
+        "agent": name,
+        "perception": perception,
+        "config": describe(agent_config(name, with_, without)),
+        "code_from_outside": {key: digest for key, digest in code.items() if digest},
+    }
 
 
-def needs_truth(perception: str) -> bool:
-    """Return whether a kind of perception needs observations with their true segmentation."""
-    return perception_kind(perception).needs_truth
+def is_told_the_truth(name: str) -> bool:
+    """Return whether an agent is shown the environment itself. Raises UnknownNameError."""
+    return bool(getattr(AGENTS.get(name), "needs_truth", False))
+
+
+def _entry(name: str, with_: Iterable[str], without: Iterable[str]) -> AgentConfig | AgentFactory:
+    entry = AGENTS.get(name)
+    added, removed = improvements_named(with_), improvements_named(without)
+    if not isinstance(entry, AgentConfig) or not (added or removed):
+        return entry
+    own = frozenset(Improvement) if name == "uniteam" else frozenset()
+    return BASELINE.with_improvements((own | added) - removed)
+
+
+def _call(factory: AgentFactory, context: AgentContext) -> Agent:
+    """Give a factory its context if it takes one."""
+    try:
+        parameters = inspect.signature(factory).parameters.values()
+    except (TypeError, ValueError):  # some built-in callables do not say what they take
+        parameters = ()
+    takes_one = any(
+        p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters
+    )
+    return cast(Callable[..., Agent], factory)(*([context] if takes_one else []))
+
+
+def _checked_agent(name: str, made: Agent) -> Agent:
+    missing = [method for method in ("reset", "act") if not callable(getattr(made, method, None))]
+    if missing:
+        raise InvalidInputError(
+            f"agent '{name}' needs reset(instruction, seed) and act(observation); "
+            f"{type(made).__name__} has no {' and no '.join(missing)}"
+        )
+    return made

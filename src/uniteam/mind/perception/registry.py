@@ -1,34 +1,47 @@
 """The kinds of perception by name."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import cast
 
-from uniteam.errors import UnknownNameError
+from uniteam.errors import InvalidInputError
 from uniteam.interface import Perception
-from uniteam.mind.perception.truth import truth_perception
+from uniteam.mind.perception.truth import TruthPerception
+from uniteam.registry import Registry
+
+PerceptionFactory = Callable[[], Perception]
+"""Builds a perception afresh; often its class."""
 
 
-@dataclass(frozen=True)
-class PerceptionKind:
-    """One kind of perception.
+def _checked(name: str, value: object) -> PerceptionFactory:
+    if not callable(value):
+        raise InvalidInputError(
+            f"perception '{name}' must be a class, or a function without arguments, that makes an object with reset and "
+            f"perceive, got {type(value).__name__}"
+        )
+    return cast(PerceptionFactory, value)
 
-    Attributes:
-        make: builds it afresh for an agent.
-        needs_truth: whether observations must carry the simulator's own segmentation.
+
+PERCEPTIONS: Registry[PerceptionFactory] = Registry("perception", "uniteam.perceptions", _checked)
+PERCEPTIONS.register("truth", TruthPerception)
+
+
+def make_perception(name: str) -> Perception:
+    """Return a new perception by name or reference.
+
+    Raises:
+        UnknownNameError: there is none of this name; the message offers the nearest.
+        InvalidInputError: what the factory makes cannot perceive.
     """
+    made = PERCEPTIONS.get(name)()
+    missing = [method for method in ("reset", "perceive") if not callable(getattr(made, method, None))]
+    if missing:
+        raise InvalidInputError(
+            f"perception '{name}' needs reset(instruction, seed) and perceive(observation); "
+            f"{type(made).__name__} has no {' and no '.join(missing)}"
+        )
+    return made
 
-    make: Callable[[], Perception]
-    needs_truth: bool
 
-
-PERCEPTIONS: dict[str, PerceptionKind] = {
-    "truth": PerceptionKind(lambda: truth_perception, needs_truth=True),
-}
-
-
-def perception_kind(name: str) -> PerceptionKind:
-    """Return a kind of perception; raises UnknownNameError with the nearest valid name."""
-    try:
-        return PERCEPTIONS[name]
-    except KeyError:
-        raise UnknownNameError("perception", name, PERCEPTIONS) from None
+def needs_truth(name: str) -> bool:
+    """Return whether observations must carry the simulator's own segmentation. Raises what `make_perception` does."""
+    return bool(getattr(PERCEPTIONS.get(name), "needs_truth", False))
