@@ -25,6 +25,9 @@ from uniteam.world.generation.plan.stage import Decorator
 from uniteam.world.homes.home import Home, Instance, Room
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
 
+LARGEST_SEED = 2**53
+"""Of a home, so that every reader of JSON keeps it whole."""
+
 _POOLS: tuple[Pool, ...] = ("train", "test")
 _CEILINGS = (250, 260, 270)
 _FEWEST_FURNITURE = 18
@@ -43,15 +46,14 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
     Everything but the objects is the same on every machine; where they come to rest is the same on one machine.
 
     Args:
-        seed: not negative.
+        seed: from 0 to `LARGEST_SEED`.
         pool: "train" homes hold training models only and no unseen category; "test" homes hold the other models.
 
     Raises:
-        InvalidInputError: the seed is negative.
+        InvalidInputError: the seed is negative or too large.
         UnknownNameError: there is no such pool.
     """
-    if seed < 0:
-        raise InvalidInputError(f"a home's seed must not be negative, got {seed}")
+    check_seed(seed)
     if pool not in _POOLS:
         raise UnknownNameError("pool", pool, _POOLS)
     catalogue = load_catalogue()
@@ -66,6 +68,13 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
             if sum(instance.movable for instance in cluttered.instances) >= MIN_OBJECT_COUNT:
                 return cluttered
     raise AssertionError("unreachable")
+
+
+def check_seed(seed: int) -> None:
+    """Raise InvalidInputError where no home can be of a seed."""
+    if not 0 <= seed <= LARGEST_SEED:
+        what = "must not be negative" if seed < 0 else f"must be at most {LARGEST_SEED}"
+        raise InvalidInputError(f"a home's seed {what}, got {seed}")
 
 
 def _draw_layout(name: str, seed: int, shop: FurnitureShop, rng: Generator) -> Home | None:
