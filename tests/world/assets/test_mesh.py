@@ -142,7 +142,7 @@ def broken(**changes: Any) -> dict[str, Any]:
         (broken(bufferViews__0__buffer=1), "outside of the file"),
         (broken(meshes__0__primitives__0__mode=5), "neither triangles nor lines nor points"),
         (broken(meshes__0__primitives__0__material=7), "a material that does not exist"),
-        (broken(meshes__0__primitives__0__indices=0), "a triangle has a corner that does not exist"),
+        (broken(meshes__0__primitives__0__indices=0), "not given by whole numbers"),
         (broken(nodes__0={"mesh": 0, "children": [0]}), "two parents"),
         (broken(nodes__0={"mesh": 0, "rotation": [1.0, 1.0, 0.0, 0.0]}), "no unit quaternion"),
         (broken(nodes__0={"mesh": 0, "scale": [0.0, 1.0, 1.0]}), "flattens"),
@@ -155,6 +155,16 @@ def broken(**changes: Any) -> dict[str, Any]:
 def test_what_is_wrong_in_a_file_is_said(tmp_path: Path, content: dict[str, Any], reason: str) -> None:
     with pytest.raises(DamagedFileError, match=reason):
         read(tmp_path, content)
+
+
+@pytest.mark.parametrize("corners", [(0, 1, 36), (0, 1), (0, 1, 65_535)])
+def test_a_triangle_needs_three_corners_that_exist(tmp_path: Path, corners: tuple[int, ...]) -> None:
+    content, blob = document([TALL]), blob_of()
+    content["bufferViews"].append({"buffer": 0, "byteOffset": len(blob), "byteLength": 2 * len(corners)})
+    content["accessors"].append({"bufferView": 1, "componentType": 5123, "count": len(corners), "type": "SCALAR"})
+    content["meshes"][0]["primitives"][0]["indices"] = 1
+    with pytest.raises(DamagedFileError, match="a triangle has a corner that does not exist"):
+        read(tmp_path, content, blob + np.array(corners, "<u2").tobytes())
 
 
 def test_positions_that_are_no_numbers_are_refused(tmp_path: Path) -> None:

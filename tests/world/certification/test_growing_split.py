@@ -10,7 +10,7 @@ from uniteam.errors import InvalidInputError
 from uniteam.world.certification.growing_split import GrowingSplit, grow
 from uniteam.world.generation.generate import generate_home
 from uniteam.world.homes.home import Home
-from uniteam.world.task.splits import load_split
+from uniteam.world.task.splits import load_split, write_split
 
 SEEDS = (9000, 9001)
 RECIPE = "two homes"
@@ -63,6 +63,18 @@ def test_what_goes_on_ends_as_if_nothing_had_happened(tmp_path: Path, whole: Pat
     assert list(tmp_path.iterdir()) == [out]
 
 
+def test_what_was_made_before_is_not_made_again(tmp_path: Path) -> None:
+    out = tmp_path / "mine.jsonl.gz"
+    first = GrowingSplit(out, RECIPE)
+    home = generate_home(SEEDS[0])
+    grow(first, [home], 1, ignore)
+    marked = replace(first.split.episodes[0], seed=4711)
+    write_split(replace(first.split, episodes=(marked,)), first.partial)
+    second = GrowingSplit(out, RECIPE)
+    grow(second, [home], 1, ignore)
+    assert second.split.episodes[0].seed == 4711
+
+
 def test_another_recipe_does_not_go_on_with_these_episodes(tmp_path: Path) -> None:
     out = tmp_path / "mine.jsonl.gz"
     assert GrowingSplit(out, RECIPE).partial != GrowingSplit(out, "three homes").partial
@@ -71,11 +83,15 @@ def test_another_recipe_does_not_go_on_with_these_episodes(tmp_path: Path) -> No
 def test_a_home_that_has_changed_since_is_made_anew(tmp_path: Path) -> None:
     out = tmp_path / "mine.jsonl.gz"
     home = generate_home(SEEDS[0])
-    grow(GrowingSplit(out, RECIPE), [home], 1, ignore)
+    first = GrowingSplit(out, RECIPE)
+    grow(first, [home], 1, ignore)
+    marked = replace(first.split.episodes[0], seed=4711)
+    write_split(replace(first.split, episodes=(marked,)), first.partial)
     other = replace(home, stage=replace(home.stage, ceiling_height=home.stage.ceiling_height + 0.1))
     again = GrowingSplit(out, RECIPE)
     grow(again, [other], 1, ignore)
     assert again.split.homes[home.name] == other
+    assert again.split.episodes[0].seed != 4711
 
 
 def test_two_homes_of_one_name_are_refused(tmp_path: Path) -> None:

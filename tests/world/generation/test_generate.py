@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 from functools import lru_cache
 from itertools import combinations
 from pathlib import Path
@@ -9,14 +10,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from worlds.small_home import TABLE, instance, small_home
 
 from uniteam.cli.home import home as home_command
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import transform_points
 from uniteam.stretch import BASE_RADIUS
-from uniteam.world.assets.catalogue import load_catalogue
-from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Pool
-from uniteam.world.generation.generate import generate_home
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Box, Pool
+from uniteam.world.generation.generate import generate_home, is_roomy
 from uniteam.world.generation.objects.settling import resting_on
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.homes.serialization import home_from_data, home_to_data
@@ -114,7 +116,7 @@ def nearest(stands: NDArray[np.float64], piece: Instance) -> float:
     return float(np.hypot(*np.maximum(np.abs(local) - (hx, hy), 0.0).T).min())
 
 
-@pytest.mark.parametrize("seed", [2004, 3016, 70001])
+@pytest.mark.parametrize("seed", [2004, 3016, 4000, 70001])
 def test_the_robot_gets_into_a_room_itself_and_not_only_into_its_doorway(seed: int) -> None:
     home = generated(seed, "test")
     floor = NavigableFloor(home)
@@ -124,6 +126,13 @@ def test_the_robot_gets_into_a_room_itself_and_not_only_into_its_doorway(seed: i
         reached, free = (cells[top:bottom, left:right].sum() for cells in (floor.largest_component, floor.free))
         assert reached * CELL_SIZE**2 >= 0.5, f"{room.name} can hardly be entered"
         assert reached >= 0.3 * free, f"most of {room.name} is shut off"
+
+
+@pytest.mark.parametrize(("x", "roomy"), [(2.2, True), (2.6, False)])
+def test_furniture_does_not_shut_off_most_of_a_room(x: float, roomy: bool) -> None:
+    counter = replace(TABLE, id="counter", shapes=(Box((0.0, 0.0, 0.5), (0.1, 4.0, 1.0)),))
+    library = Catalogue({"counter": counter}, frozenset())
+    assert is_roomy(small_home(instance("counter_1", counter, x, 2.0), library=library)) is roomy
 
 
 @each_home

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 from worlds.glb import box, write_glb
 
@@ -46,10 +47,15 @@ def test_a_mesh_of_small_triangles_stays_as_it_is(tmp_path: Path) -> None:
 
 
 def test_a_stages_mesh_is_lit_by_the_rooms_it_faces_and_hidden_with_the_ceiling(tmp_path: Path) -> None:
-    wall, lid = box((3.95, 0.0, 0.0), (4.05, 4.0, 2.5)), box((0.0, 0.0, 2.48), (8.0, 4.0, 2.52))
+    wall, lid = box((3.97, 0.0, 0.0), (4.03, 4.0, 2.5)), box((0.0, 0.0, 2.48), (8.0, 4.0, 2.52))
     write_glb(tmp_path / "stage.glb", wall, lid)
-    parts = list(fixed_parts(load_mesh(tmp_path / "stage.glb"), 2.5, lambda x, y: int(x > 4.0)))
-    assert {(name, room) for name, _, room in parts} == {("stage", 0), ("stage", 1), ("ceiling", 0), ("ceiling", 1)}
-    for name, mesh, _ in parts:
-        if name == "ceiling":
-            assert mesh.vertices[:, 2].min() > 2.45
+    parts = list(fixed_parts(load_mesh(tmp_path / "stage.glb"), 2.5, beside_the_wall))
+    sides = {(name, room): mesh.vertices for name, mesh, room in parts}
+    assert sides["stage", 0][:, 0].max() == pytest.approx(3.97)
+    assert sides["stage", 1][:, 0].min() == pytest.approx(4.03)
+    assert min(vertices[:, 2].min() for (name, _), vertices in sides.items() if name == "ceiling") > 2.45
+
+
+def beside_the_wall(x: float, y: float) -> int | None:
+    """Return which of two rooms a point is in; none within the wall between them."""
+    return None if abs(x - 4.0) < 0.05 else int(x > 4.0)

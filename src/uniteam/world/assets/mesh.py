@@ -173,8 +173,11 @@ def _triangles(gltf: GltfBinary, primitive: Primitive, vertex_count: int) -> NDA
     if primitive.indices is None:
         indices = np.arange(vertex_count, dtype=np.int64)
     else:
-        indices = gltf.values(primitive.indices).astype(np.int64).reshape(-1)
-    if len(indices) % 3 or indices.min() < 0 or indices.max() >= vertex_count:
+        values = gltf.values(primitive.indices)
+        if values.dtype.kind != "u" or values.shape[1] != 1:
+            raise ValueError("the corners of triangles are not given by whole numbers")
+        indices = values.astype(np.int64).reshape(-1)
+    if len(indices) % 3 or indices.max() >= vertex_count:
         raise ValueError("a triangle has a corner that does not exist")
     return indices.reshape(-1, 3)
 

@@ -60,7 +60,7 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
     for attempt in count():
         seeds = [seed, _POOLS.index(pool), attempt]
         home = _draw_layout(f"{pool}-{seed}", seed, FurnitureShop(catalogue, pool), np.random.default_rng(seeds))
-        if home is None or not _is_roomy(home):
+        if home is None or not is_roomy(home):
             continue
         for scattering in range(_SCATTERINGS):
             rng = np.random.default_rng([*seeds, scattering])
@@ -122,7 +122,7 @@ def _is_furnished(furniture: Iterable[Instance]) -> bool:
     return len(categories) >= _FEWEST_FURNITURE and len(classes) >= _FEWEST_RECEPTACLE_CLASSES
 
 
-def _is_roomy(home: Home) -> bool:
+def is_roomy(home: Home) -> bool:
     """Say whether the robot gets from every room into every other, and to a fair share of where it could stand."""
     floor = NavigableFloor(home)
     reached = np.array([_area_within(floor, room, floor.largest_component) for room in home.stage.rooms])
