@@ -64,7 +64,7 @@ def _part(name: str, seed: int, work: Path, tally: Tally) -> Split:
     path = work / f"{name}-{seed}{SUFFIX}"
     if not path.exists():
         home = generate_home(seed, plan.pool)
-        made = EpisodeMaker(home, tally.copy()).episodes(plan.per_home)
+        made = tuple(EpisodeMaker(home, tally.copy()).episodes(plan.per_home))
         if len(made) < plan.per_home:
             path.touch()
         else:

@@ -3,18 +3,21 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from rich.console import Console
 from rich.table import Table
 
-from uniteam.errors import UnknownNameError
-from uniteam.world.assets.catalogue import Catalogue, load_catalogue
+from uniteam.cli.terminal import make_console, shown
+from uniteam.errors import InvalidInputError, UnknownNameError
+from uniteam.files import try_folder
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue, load_library
 from uniteam.world.assets.model import Model
 
 PER_SHEET = 48
 
 
-def assets(category: str | None = None, sheet: Path | None = None, shapes: bool = False) -> None:
-    """List the models and draw contact sheets of them.
+def assets(
+    category: str | None = None, sheet: Path | None = None, shapes: bool = False, library: Path | None = None
+) -> None:
+    """List the models of a library and draw contact sheets of them.
 
     Without a category the table has a line a category, with one a line a model.
 
@@ -22,33 +25,36 @@ def assets(category: str | None = None, sheet: Path | None = None, shapes: bool 
         category: show only this class of furniture, object or decor.
         sheet: write contact sheets (PNG, 48 models each) into this folder.
         shapes: draw collision shapes and support surfaces on the sheets instead of the models' looks.
+        library: folder of a library of your own; the package's pack where none is given.
     """
-    catalogue = load_catalogue()
+    catalogue = load_catalogue() if library is None else load_library(library)
     models = _chosen(catalogue, category)
-    console = Console()
+    if sheet is not None:
+        try_folder(sheet)
+    console = make_console()
     console.print(_category_table(models, catalogue) if category is None else _model_table(models))
     if sheet is not None:
         for path in write_sheets(models, sheet, shapes):
-            console.print(f"wrote {path}", highlight=False, soft_wrap=True)
+            console.print(f"wrote {shown(path)}", soft_wrap=True)
 
 
 def write_sheets(models: Sequence[Model], folder: Path, shapes: bool) -> list[Path]:
-    """Draw contact sheets of the models into a folder and return their paths."""
-    import cv2
-
+    """Draw contact sheets of the models into a folder and return their paths; raises UnwritableError."""
     from uniteam.visualization.contact_sheet import draw_sheet
+    from uniteam.visualization.picture_file import write_png
 
-    folder.mkdir(parents=True, exist_ok=True)
     paths = []
     for first in range(0, len(models), PER_SHEET):
         page = draw_sheet(models[first : first + PER_SHEET], shapes=shapes)
         paths.append(folder / f"sheet_{first // PER_SHEET:02d}.png")
-        cv2.imwrite(str(paths[-1]), page[..., ::-1])
+        write_png(paths[-1], page)
     return paths
 
 
 def _chosen(catalogue: Catalogue, category: str | None) -> list[Model]:
     models = sorted(catalogue.models.values(), key=lambda m: (m.role, m.category, m.id))
+    if not models:
+        raise InvalidInputError("the library holds no model")
     if category is None:
         return models
     found = [m for m in models if m.category == category]
@@ -70,12 +76,12 @@ def _category_table(models: Sequence[Model], catalogue: Catalogue) -> Table:
     for (role, category), group in groups.items():
         train = sum(m.pool == "train" for m in group)
         unseen = "yes" if role == "object" and category in catalogue.unseen_categories else ""
-        table.add_row(role, category, str(len(group)), str(train), str(len(group) - train), unseen)
+        table.add_row(role, shown(category), str(len(group)), str(train), str(len(group) - train), unseen)
     return table
 
 
 def _model_table(models: Sequence[Model]) -> Table:
-    table = Table(title=f"{len(models)} models of {models[0].category}")
+    table = Table(title=f"{len(models)} models of {shown(models[0].category)}")
     table.add_column("id", no_wrap=True)
     for heading in ("size (cm)", "mass (kg)", "pool", "surfaces at (cm)"):
         table.add_column(heading)

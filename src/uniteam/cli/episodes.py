@@ -3,39 +3,48 @@
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import tyro
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
-from uniteam.world.homes.home import Home
+from uniteam.files import try_output
+
+MOST_HOMES, MOST_EPISODES = 100_000, 1_000
 
 
 def episodes(
     homes: str,
     out: Path,
     per_home: Annotated[int, tyro.conf.arg(metavar="N")] = 5,
-    pool: Literal["test", "train"] = "test",
+    source: str = "test",
 ) -> None:
     """Generate homes and certified episodes in them, and write both as a split.
 
+    Every episode is kept as it is made: where the command is interrupted, the same command goes on from there.
+
     Args:
         homes: seeds of the homes, as "9000:9010" (the last excluded) or "9000".
-        out: the file to write; by its name ending in .jsonl.gz.
+        out: the file to write; its name ends in .jsonl.gz.
         per_home: episodes wanted in each home.
-        pool: models of the homes: those of training homes, or the others.
+        source: what makes the homes: "test" for models kept from training, "train" for the others, or a function of
+            your own, "my_homes:lofts".
     """
-    from uniteam.world.certification.generate_episodes import generate_split
-    from uniteam.world.task.splits import SUFFIX, write_split
+    from uniteam.world.certification.growing_split import GrowingSplit, grow
+    from uniteam.world.generation.registry import HOMES, home_of_seed
+    from uniteam.world.homes.home import Home
+    from uniteam.world.task.splits import SUFFIX
 
     seeds = _seeds(homes)
-    if per_home < 1:
-        raise InvalidInputError(f"--per-home must be at least 1, got {per_home}")
-    if not out.parent.is_dir():
-        raise InvalidInputError(f"the directory of --out {out} does not exist; make it first")
-    console = Console()
+    if not 1 <= per_home <= MOST_EPISODES:
+        raise InvalidInputError(f"--per-home must be from 1 to {MOST_EPISODES}, got {per_home}")
+    HOMES.get(source)
+    try_output(out, (SUFFIX,))
+    console = make_console()
+    growing = GrowingSplit(out, (source, seeds, per_home))
     short: list[str] = []
     with _progress(console, len(seeds)) as advance:
 
@@ -44,25 +53,36 @@ def episodes(
                 short.append(f"{home.name} offers {count}")
             advance()
 
-        split = generate_split(out.name.removesuffix(SUFFIX), seeds, per_home, pool, on_home)
+        try:
+            grow(growing, (home_of_seed(source, seed) for seed in seeds), per_home, on_home)
+        except BaseException:
+            if growing.split.episodes:
+                kept = f"{len(growing.split.episodes)} episodes so far are kept in {shown(growing.partial)}"
+                console.print(f"{kept}, which --split plays; the same command goes on from there.", soft_wrap=True)
+            raise
+    split = growing.split
     if not split.episodes:
         raise InvalidInputError(f"no episode could be certified in the homes {homes}; try other seeds")
-    write_split(split, out)
+    growing.finish()
     unseen = sum(episode.unseen for episode in split.episodes)
-    console.print(f"{len(split.episodes)} episodes in {len(split.homes)} homes, {unseen} of unseen categories: {out}")
+    counts = f"{len(split.episodes)} episodes in {len(split.homes)} homes, {unseen} of unseen categories"
+    console.print(f"{counts}: {shown(out)}", soft_wrap=True)
     if short:
-        console.print(f"Fewer than {per_home} were found in some homes: {', '.join(short)}.")
-    console.print(f"Play them with: uniteam evaluate --split {out}", highlight=False)
+        console.print(f"Fewer than {per_home} were found in some homes: {shown(', '.join(short))}.")
+    console.print(f"Play them with: uniteam evaluate --split {shown(out)}", soft_wrap=True)
 
 
 def _seeds(homes: str) -> range:
     first, _, last = homes.partition(":")
     try:
         seeds = range(int(first), int(last) if last else int(first) + 1)
-    except ValueError:
-        seeds = range(0)
-    if not seeds or seeds[0] < 0:
-        raise InvalidInputError(f"--homes must be seeds such as 9000:9010 or 9000, got '{homes}'")
+        count = len(seeds)
+    except (ValueError, OverflowError):
+        count = 0
+    if count == 0 or seeds[0] < 0 or count > MOST_HOMES:
+        raise InvalidInputError(
+            f"--homes must be seeds such as 9000:9010 or 9000, {MOST_HOMES} at most, got '{homes[:100]}'"
+        )
     return seeds
 
 

@@ -5,10 +5,9 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.markup import escape
 from rich.table import Table
 
+from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.files import try_folder
 from uniteam.visualization.home_pictures import draw_plan, view_from_above, views_inside
@@ -37,9 +36,9 @@ def home(what: Annotated[str, tyro.conf.Positional], source: str = "test", out: 
     write_png(directory / "above.png", view_from_above(drawn))
     for name, image in views_inside(drawn):
         write_png(directory / f"{name}.png", image)
-    console = Console()
+    console = make_console()
     console.print(_table(drawn))
-    console.print(f"pictures in {escape(str(directory))}", highlight=False, soft_wrap=True)
+    console.print(f"pictures in {shown(directory)}", soft_wrap=True)
 
 
 def _seed(what: str) -> int | None:
@@ -52,14 +51,18 @@ def _seed(what: str) -> int | None:
 
 def _file(what: str) -> Path:
     path = Path(what)
-    if "\0" in what or not path.is_file():
-        raise InvalidInputError(f"'{what}' is neither a seed (a whole number) nor the file of a home")
+    try:
+        is_file = path.is_file()
+    except (OSError, ValueError):  # no name that a file can have
+        is_file = False
+    if not is_file:
+        raise InvalidInputError(f"'{what[:100]}' is neither a seed (a whole number) nor the file of a home")
     return path
 
 
 def _table(drawn: Home) -> Table:
     area = sum(room.area for room in drawn.stage.rooms)
-    title = f"home {escape(drawn.name)}: {len(drawn.stage.rooms)} rooms, {area:.0f} m2"
+    title = f"home {shown(drawn.name)}: {len(drawn.stage.rooms)} rooms, {area:.0f} m2"
     table = Table(title=title, show_lines=True)
     for heading in ("room", "m2", "receptacles", "decor", "objects"):
         table.add_column(heading, overflow="fold")
@@ -69,10 +72,10 @@ def _table(drawn: Home) -> Table:
         decor = [i for i in inside if i.category not in RECEPTACLE_CATEGORIES and not i.movable]
         objects = [i for i in inside if i.movable]
         columns = (_counted(receptacles), _counted(decor), _counted(objects))
-        table.add_row(escape(room.name), f"{room.area:.1f}", *columns)
+        table.add_row(shown(room.name), f"{room.area:.1f}", *columns)
     return table
 
 
 def _counted(instances: list[Instance]) -> str:
     counts = Counter(instance.category.replace("_", " ") for instance in instances)
-    return escape(", ".join(name if number == 1 else f"{number} {name}" for name, number in sorted(counts.items())))
+    return shown(", ".join(name if number == 1 else f"{number} {name}" for name, number in sorted(counts.items())))

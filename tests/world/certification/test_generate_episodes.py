@@ -36,7 +36,7 @@ def simulator(home: Home) -> Simulator:
 
 @pytest.fixture(scope="module")
 def made(home: Home) -> tuple[Episode, ...]:
-    return EpisodeMaker(home, Tally()).episodes(2)
+    return tuple(EpisodeMaker(home, Tally()).episodes(2))
 
 
 def test_view_points_are_reachable_near_and_see_the_instance(home: Home, simulator: Simulator) -> None:
@@ -121,7 +121,7 @@ def test_certified_episodes_start_far_from_the_object_and_ask_for_different_thin
 
 
 def test_the_same_home_gives_the_same_episodes(home: Home, made: tuple[Episode, ...]) -> None:
-    assert EpisodeMaker(home, Tally()).episodes(1) == made[:1]
+    assert tuple(EpisodeMaker(home, Tally()).episodes(1)) == made[:1]
 
 
 def test_the_command_writes_a_split_that_can_be_played(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 from functools import lru_cache
 from itertools import combinations
 from pathlib import Path
@@ -9,17 +10,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from worlds.small_home import TABLE, instance, small_home
 
 from uniteam.cli.home import home as home_command
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import transform_points
-from uniteam.world.assets.catalogue import load_catalogue
-from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Pool
-from uniteam.world.generation.generate import generate_home
+from uniteam.stretch import BASE_RADIUS
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue
+from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Box, Pool
+from uniteam.world.generation.generate import generate_home, is_roomy
 from uniteam.world.generation.objects.settling import resting_on
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.homes.serialization import home_from_data, home_to_data
-from uniteam.world.physics.navigable_floor import NavigableFloor
+from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
 from uniteam.world.physics.physics import Physics
 
 HOMES: tuple[tuple[int, Pool], ...] = (
@@ -113,6 +116,25 @@ def nearest(stands: NDArray[np.float64], piece: Instance) -> float:
     return float(np.hypot(*np.maximum(np.abs(local) - (hx, hy), 0.0).T).min())
 
 
+@pytest.mark.parametrize("seed", [2004, 3016, 4000, 70001])
+def test_the_robot_gets_into_a_room_itself_and_not_only_into_its_doorway(seed: int) -> None:
+    home = generated(seed, "test")
+    floor = NavigableFloor(home)
+    for room in home.stage.rooms:
+        low, high = np.array(room.low) + BASE_RADIUS + 0.06, np.array(room.high) - BASE_RADIUS - 0.06
+        (top, left), (bottom, right) = floor.to_cell(*low), floor.to_cell(*high)
+        reached, free = (cells[top:bottom, left:right].sum() for cells in (floor.largest_component, floor.free))
+        assert reached * CELL_SIZE**2 >= 0.5, f"{room.name} can hardly be entered"
+        assert reached >= 0.3 * free, f"most of {room.name} is shut off"
+
+
+@pytest.mark.parametrize(("x", "roomy"), [(2.2, True), (2.6, False)])
+def test_furniture_does_not_shut_off_most_of_a_room(x: float, roomy: bool) -> None:
+    counter = replace(TABLE, id="counter", shapes=(Box((0.0, 0.0, 0.5), (0.1, 4.0, 1.0)),))
+    library = Catalogue({"counter": counter}, frozenset())
+    assert is_roomy(small_home(instance("counter_1", counter, x, 2.0), library=library)) is roomy
+
+
 @each_home
 def test_every_object_rests_on_a_receptacle_and_stays_there(seed: int, pool: Pool) -> None:
     home = generated(seed, pool)
@@ -151,6 +173,8 @@ def test_other_seeds_and_pools_give_other_homes() -> None:
 def test_a_negative_seed_and_an_unknown_pool_are_refused() -> None:
     with pytest.raises(InvalidInputError, match="negative"):
         generate_home(-1)
+    with pytest.raises(InvalidInputError, match="at most"):
+        generate_home(10**30)
     with pytest.raises(UnknownNameError, match="'test'"):
         generate_home(1, "tets")  # type: ignore[arg-type]
 
@@ -169,6 +193,6 @@ def test_the_layout_is_in_whole_centimetres_and_the_settled_poses_are_rounded() 
 
 
 def test_the_command_draws_a_plan_and_every_room(tmp_path: Path) -> None:
-    home_command(1, "test", tmp_path)
+    home_command("1", "test", tmp_path)
     names = {path.stem for path in tmp_path.glob("*.png")}
     assert names == {"plan", "above"} | {room.name for room in generated(1, "test").stage.rooms}

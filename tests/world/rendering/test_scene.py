@@ -183,3 +183,14 @@ def test_walls_in_one_line_meet_and_do_not_overlap() -> None:
     )
     assert first.max() == pytest.approx(second.min(), abs=1e-6)
     assert first.min() == pytest.approx(-0.05, abs=0.002)
+
+
+def test_a_room_without_a_floor_texture_leaves_floor_ceiling_and_lamp_to_the_mesh() -> None:
+    home = two_rooms()
+    west, east = home.stage.rooms
+    bare = replace(home.stage, rooms=(replace(west, floor_texture=None, wall_texture=None), east))
+    both, one = (
+        [part.room for part in stage_parts(stage, home.library) if part.name in ("floor", "ceiling")]
+        for stage in (home.stage, bare)
+    )
+    assert (both, one) == ([0, 1, 0, 0, 1, 1], [1, 1, 1])

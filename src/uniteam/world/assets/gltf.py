@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 READABLE_EXTENSIONS = frozenset({"KHR_mesh_quantization", "KHR_materials_unlit"})
 MOST_ELEMENTS = 3_000_000
 """No accessor of more elements is read."""
+MOST_PARTS = 10_000
+"""Of nodes, of meshes, and of a mesh's primitives."""
 
 _COMPONENT_TYPES = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
@@ -56,7 +58,7 @@ class Primitive(msgspec.Struct):
 class MeshPart(msgspec.Struct):
     """What a node shows."""
 
-    primitives: list[Primitive]
+    primitives: Annotated[list[Primitive], msgspec.Meta(max_length=MOST_PARTS)]
 
 
 class Node(msgspec.Struct):
@@ -112,9 +114,9 @@ class Document(msgspec.Struct, rename="camel"):
 
     scene: Index = 0
     scenes: list[Scene] = []
-    nodes: list[Node] = []
-    meshes: list[MeshPart] = []
-    materials: list[MaterialEntry] = []
+    nodes: Annotated[list[Node], msgspec.Meta(max_length=MOST_PARTS)] = []
+    meshes: Annotated[list[MeshPart], msgspec.Meta(max_length=MOST_PARTS)] = []
+    materials: Annotated[list[MaterialEntry], msgspec.Meta(max_length=MOST_PARTS)] = []
     textures: list[TextureEntry] = []
     images: list[Image] = []
     accessors: list[Accessor] = []

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import quaternion_to_matrix
 from uniteam.world.assets.gltf import GltfBinary, MaterialEntry, MeshPart, Node, Primitive, read_gltf
-from uniteam.world.assets.image import decode_image
+from uniteam.world.assets.image import MOST_PIXELS, decode_image
 from uniteam.world.assets.reading import damaged, read_bytes
 
 Color = tuple[float, float, float]
@@ -26,6 +26,7 @@ MOST_TRIANGLES = 1_000_000
 FARTHEST = 1_000.0
 """No vertex lies farther than this from the origin along an axis (m)."""
 
+_MOST_TEXELS = 4 * 3 * MOST_PIXELS
 _TRIANGLES = 4
 _LINES = frozenset(range(4))
 _Z_UP = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
@@ -85,27 +86,31 @@ def load_mesh(path: Path) -> Mesh:
 
 
 def _mesh(gltf: GltfBinary) -> Mesh:
-    document = gltf.document
-    pieces = [
-        _piece(gltf, p, to_mesh) for part, to_mesh in _parts(gltf) for p in part.primitives if p.mode not in _LINES
-    ]
-    if not pieces:
-        raise ValueError("it holds no triangle")
-    if sum(len(piece.triangles) for piece in pieces) > MOST_TRIANGLES:
-        raise ValueError(f"it has more than {MOST_TRIANGLES} triangles")
+    pieces = _pieces(gltf)
     starts = np.cumsum([0, *(len(piece.vertices) for piece in pieces)])
-    plain = [MaterialEntry()] if any(piece.material == len(document.materials) for piece in pieces) else []
-    materials = [_material(gltf, entry) for entry in (*document.materials, *plain)]
-    if max(piece.material for piece in pieces) >= len(materials):
-        raise ValueError("a primitive is of a material that does not exist")
     return Mesh(
         np.ascontiguousarray(np.concatenate([piece.vertices for piece in pieces])),
         np.ascontiguousarray(np.concatenate([piece.normals for piece in pieces])),
         np.ascontiguousarray(np.concatenate([piece.uvs for piece in pieces])),
         np.concatenate([p.triangles + start for p, start in zip(pieces, starts, strict=False)]).astype(np.int32),
         np.concatenate([np.full(len(piece.triangles), piece.material, np.int32) for piece in pieces]),
-        tuple(materials),
+        _materials(gltf, max(piece.material for piece in pieces)),
     )
+
+
+def _pieces(gltf: GltfBinary) -> list[_Piece]:
+    pieces: list[_Piece] = []
+    count = 0
+    for part, to_mesh in _parts(gltf):
+        for primitive in part.primitives:
+            if primitive.mode not in _LINES:
+                pieces.append(_piece(gltf, primitive, to_mesh))
+                count += len(pieces[-1].triangles)
+            if count > MOST_TRIANGLES:
+                raise ValueError(f"it has more than {MOST_TRIANGLES} triangles")
+    if not pieces:
+        raise ValueError("it holds no triangle")
+    return pieces
 
 
 def _parts(gltf: GltfBinary) -> Iterator[tuple[MeshPart, Matrix]]:
@@ -168,8 +173,11 @@ def _triangles(gltf: GltfBinary, primitive: Primitive, vertex_count: int) -> NDA
     if primitive.indices is None:
         indices = np.arange(vertex_count, dtype=np.int64)
     else:
-        indices = gltf.values(primitive.indices).astype(np.int64).reshape(-1)
-    if len(indices) % 3 or indices.min() < 0 or indices.max() >= vertex_count:
+        values = gltf.values(primitive.indices)
+        if values.dtype.kind != "u" or values.shape[1] != 1:
+            raise ValueError("the corners of triangles are not given by whole numbers")
+        indices = values.astype(np.int64).reshape(-1)
+    if len(indices) % 3 or indices.max() >= vertex_count:
         raise ValueError("a triangle has a corner that does not exist")
     return indices.reshape(-1, 3)
 
@@ -213,7 +221,18 @@ def _srgb(linear: float) -> float:
     return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
 
 
-def _material(gltf: GltfBinary, entry: MaterialEntry) -> Material:
+def _materials(gltf: GltfBinary, last: int) -> tuple[Material, ...]:
+    """Return the document's materials, and a plain one after them where `last`, the last in use, asks for it."""
+    entries = gltf.document.materials
+    if last > len(entries):
+        raise ValueError("a primitive is of a material that does not exist")
+    plain = [MaterialEntry()] if last == len(entries) else []
+    pictures: dict[int, NDArray[np.uint8]] = {}
+    return tuple(_material(gltf, entry, pictures) for entry in (*entries, *plain))
+
+
+def _material(gltf: GltfBinary, entry: MaterialEntry, pictures: dict[int, NDArray[np.uint8]]) -> Material:
+    """Return a material; its picture is unpacked where it is not among those of the others, by their views."""
     surface = entry.pbr_metallic_roughness
     r, g, b = (_srgb(v) for v in surface.base_color_factor[:3])
     if surface.base_color_texture is None:
@@ -222,4 +241,8 @@ def _material(gltf: GltfBinary, entry: MaterialEntry) -> Material:
     view = None if source is None else gltf.document.images[source].buffer_view
     if view is None:
         raise ValueError("a texture lies outside of the file, or is in a format that is not read")
-    return Material((r, g, b), decode_image(bytes(gltf.view(view))))
+    if view not in pictures:
+        pictures[view] = decode_image(bytes(gltf.view(view)))
+    if sum(picture.size for picture in pictures.values()) > _MOST_TEXELS:
+        raise ValueError("its textures together would fill the memory; make them smaller")
+    return Material((r, g, b), pictures[view])

@@ -10,42 +10,40 @@ from uniteam.errors import DamagedFileError
 PACK_DIRECTORY = Path(__file__).parent / "pack"
 """The library that comes with the package."""
 
-MOST_BYTES = 128 * 1024 * 1024
-"""No larger file is read."""
+MOST_BYTES = 64 * 1024 * 1024
+MOST_JSON = 16 * 1024 * 1024
+"""No larger file is read, no larger one of JSON: once read, it takes many times its size."""
 
 Schema = TypeVar("Schema")
 """The type whose fields say what a file must hold."""
 
 
-def read_bytes(path: Path, what: str) -> bytes:
+def read_bytes(path: Path, what: str, most: int = MOST_BYTES) -> bytes:
     """Return a file's content.
 
     Args:
         path: of the file.
         what: the file is, for the sentence ("the model").
+        most: how many bytes it may have.
 
     Raises:
-        DamagedFileError: there is no such file, it cannot be read, or it is larger than `MOST_BYTES`.
+        DamagedFileError: there is no such file, it cannot be read, or it is too large.
     """
     try:
         if not path.is_file():
             raise damaged(path, what, "there is no such file")
         with path.open("rb") as file:
-            content = file.read(MOST_BYTES + 1)
+            content = file.read(most + 1)
     except (OSError, ValueError) as error:
         raise damaged(path, what, _reason(error)) from error
-    if len(content) > MOST_BYTES:
-        raise damaged(path, what, f"it has more than {MOST_BYTES} bytes")
+    if len(content) > most:
+        raise damaged(path, what, f"it has more than {most} bytes")
     return content
 
 
 def read_json(path: Path, what: str, schema: type[Schema]) -> Schema:
     """Return the content of a JSON file that fits a schema; raises DamagedFileError that names the field at fault."""
-    return decode_json(read_bytes(path, what), path, what, schema)
-
-
-def decode_json(content: bytes, path: Path, what: str, schema: type[Schema]) -> Schema:
-    """Return JSON as what the schema says; raises DamagedFileError about the file that it stands in."""
+    content = read_bytes(path, what, MOST_JSON)
     try:
         return msgspec.json.decode(content, type=schema)
     except (msgspec.MsgspecError, RecursionError, ValueError) as error:

@@ -1,19 +1,17 @@
 """Certified episodes for homes: varied tasks, and a start that is far from the object."""
 
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
-from uniteam.world.assets.model import Pool
 from uniteam.world.certification.candidate_tasks import Tally, Task, in_order_of_variety, possible_tasks
 from uniteam.world.certification.certify import Certifier
-from uniteam.world.generation.generate import generate_home
 from uniteam.world.generation.objects.settling import resting_on
 from uniteam.world.homes.home import Home
-from uniteam.world.task.episode import Episode, Split
+from uniteam.world.task.episode import Episode
 
 START_DISTANCE = 3.0
 """The robot starts at least this far (m) from every object that counts."""
@@ -40,15 +38,13 @@ class EpisodeMaker:
         self._hopeless: set[Task] = set()
         self._failures: Counter[str] = Counter()
 
-    def episodes(self, count: int) -> tuple[Episode, ...]:
-        """Return up to `count` certified episodes; fewer where the home has no more to offer."""
-        found: list[Episode] = []
-        while len(found) < count:
-            episode = self._next(f"{self._home.name}-{len(found)}")
+    def episodes(self, count: int) -> Iterator[Episode]:
+        """Yield up to `count` certified episodes as they are made; fewer where the home has no more to offer."""
+        for number in range(count):
+            episode = self._next(f"{self._home.name}-{number}")
             if episode is None:
-                break
-            found.append(episode)
-        return tuple(found)
+                return
+            yield episode
 
     def _next(self, identifier: str) -> Episode | None:
         for task in self._in_order():
@@ -91,28 +87,3 @@ class EpisodeMaker:
             if all(np.hypot(p[0] - x, p[1] - y) >= START_DISTANCE for p in positions):
                 return BasePose(x, y, round(float(self._rng.uniform(-np.pi, np.pi)), 3))
         return None
-
-
-def generate_split(
-    name: str, seeds: Iterable[int], per_home: int, pool: Pool, on_home: Callable[[Home, int], None]
-) -> Split:
-    """Return a split of up to `per_home` certified episodes in each home of the seeds.
-
-    Args:
-        name: of the split.
-        seeds: of the homes.
-        per_home: episodes wanted in each.
-        pool: of the homes' models.
-        on_home: called with every home that is done and the number of its episodes.
-    """
-    tally = Tally()
-    homes: dict[str, Home] = {}
-    episodes: list[Episode] = []
-    for seed in seeds:
-        home = generate_home(seed, pool)
-        made = EpisodeMaker(home, tally).episodes(per_home)
-        on_home(home, len(made))
-        if made:
-            homes[home.name] = home
-            episodes += made
-    return Split(name, tuple(episodes), homes)

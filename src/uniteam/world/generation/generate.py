@@ -25,6 +25,9 @@ from uniteam.world.generation.plan.stage import Decorator
 from uniteam.world.homes.home import Home, Instance, Room
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
 
+LARGEST_SEED = 2**53
+"""Of a home, so that every reader of JSON keeps it whole."""
+
 _POOLS: tuple[Pool, ...] = ("train", "test")
 _CEILINGS = (250, 260, 270)
 _FEWEST_FURNITURE = 18
@@ -43,22 +46,21 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
     Everything but the objects is the same on every machine; where they come to rest is the same on one machine.
 
     Args:
-        seed: not negative.
+        seed: from 0 to `LARGEST_SEED`.
         pool: "train" homes hold training models only and no unseen category; "test" homes hold the other models.
 
     Raises:
-        InvalidInputError: the seed is negative.
+        InvalidInputError: the seed is negative or too large.
         UnknownNameError: there is no such pool.
     """
-    if seed < 0:
-        raise InvalidInputError(f"a home's seed must not be negative, got {seed}")
+    check_seed(seed)
     if pool not in _POOLS:
         raise UnknownNameError("pool", pool, _POOLS)
     catalogue = load_catalogue()
     for attempt in count():
         seeds = [seed, _POOLS.index(pool), attempt]
         home = _draw_layout(f"{pool}-{seed}", seed, FurnitureShop(catalogue, pool), np.random.default_rng(seeds))
-        if home is None or not _is_roomy(home):
+        if home is None or not is_roomy(home):
             continue
         for scattering in range(_SCATTERINGS):
             rng = np.random.default_rng([*seeds, scattering])
@@ -66,6 +68,13 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
             if sum(instance.movable for instance in cluttered.instances) >= MIN_OBJECT_COUNT:
                 return cluttered
     raise AssertionError("unreachable")
+
+
+def check_seed(seed: int) -> None:
+    """Raise InvalidInputError where no home can be of a seed."""
+    if not 0 <= seed <= LARGEST_SEED:
+        what = "must not be negative" if seed < 0 else f"must be at most {LARGEST_SEED}"
+        raise InvalidInputError(f"a home's seed {what}, got {seed}")
 
 
 def _draw_layout(name: str, seed: int, shop: FurnitureShop, rng: Generator) -> Home | None:
@@ -113,7 +122,7 @@ def _is_furnished(furniture: Iterable[Instance]) -> bool:
     return len(categories) >= _FEWEST_FURNITURE and len(classes) >= _FEWEST_RECEPTACLE_CLASSES
 
 
-def _is_roomy(home: Home) -> bool:
+def is_roomy(home: Home) -> bool:
     """Say whether the robot gets from every room into every other, and to a fair share of where it could stand."""
     floor = NavigableFloor(home)
     reached = np.array([_area_within(floor, room, floor.largest_component) for room in home.stage.rooms])

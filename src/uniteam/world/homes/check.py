@@ -17,6 +17,7 @@ LONGEST = 100.0
 """The rooms together are no longer than this along an axis (m): memory grows with the floor."""
 SMALLEST_ROOM = 0.5
 """m2."""
+MOST_SHAPES = 20_000
 OUTSIDE = 10.0
 """An instance stands no farther than this from the rooms (m)."""
 
@@ -42,6 +43,10 @@ def home_problems(home: Home) -> Iterator[str]:
             yield f"instance '{instance.name}': it stands in room '{instance.room}', which there is not"
         if not ((low - OUTSIDE <= instance.position[:2]) & (instance.position[:2] <= high + OUTSIDE)).all():
             yield f"instance '{instance.name}': it stands more than {OUTSIDE:.0f} m away from the rooms"
+    known = [home.library.models[i.model] for i in home.instances if i.model in home.library.models]
+    shape_count = sum(len(model.shapes) for model in known)
+    if shape_count > MOST_SHAPES:
+        yield f"its instances have {shape_count} collision shapes, more than {MOST_SHAPES}"
     try:
         stage_mesh(home.stage)
     except DamagedFileError as error:

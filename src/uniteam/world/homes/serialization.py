@@ -16,7 +16,7 @@ import msgspec
 from uniteam.errors import DamagedFileError, InvalidInputError
 from uniteam.files import write_whole
 from uniteam.world.assets.catalogue import Catalogue, load_catalogue, load_library
-from uniteam.world.assets.reading import PACK_DIRECTORY, decode_json, read_bytes
+from uniteam.world.assets.reading import PACK_DIRECTORY, read_bytes, read_json
 from uniteam.world.homes.check import home_problems
 from uniteam.world.homes.home import Home, Instance, Light, Opening, Room, Stage, Wall
 from uniteam.world.homes.polygon import Polygon, as_rectangle, rectangle
@@ -66,8 +66,8 @@ def home_from_data(data: object, folder: Path = HERE) -> Home:
 def check_home(home: Home) -> None:
     """Raise InvalidInputError where a home that a program made is not one that data could say; it names the field."""
     try:
-        msgspec.convert(_plain(home), HomeData)
-    except msgspec.ValidationError as error:
+        msgspec.convert(json.loads(json.dumps(_plain(home))), HomeData)
+    except (msgspec.ValidationError, TypeError, ValueError) as error:
         raise InvalidInputError(f"home '{home.name}' cannot be used: {_field(str(error))}") from error
     problem = next(home_problems(home), None)
     if problem is not None:
@@ -76,8 +76,7 @@ def check_home(home: Home) -> None:
 
 def read_home(path: Path) -> Home:
     """Return the home in a JSON file; raises DamagedFileError."""
-    what = "the home"
-    return home_from_data(decode_json(read_bytes(path, what), path, what, dict[str, Any]), path.parent)
+    return home_from_data(read_json(path, "the home", dict[str, Any]), path.parent)
 
 
 def write_home(home: Home, path: Path) -> None:

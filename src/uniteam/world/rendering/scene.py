@@ -19,6 +19,8 @@ from uniteam.world.rendering.meshes.stage_mesh import StagePart, room_at, stage_
 
 Transform = NDArray[np.float64]
 
+MOST_TRIANGLES = 20_000_000
+"""Of a home and all that stands in it: more would fill the memory."""
 
 _stage_mips = MipCache()
 """The few textures of floors and walls are prepared once a process, as the pack's models are."""
@@ -164,6 +166,9 @@ def _corners(mesh: RenderMesh) -> NDArray[np.float64]:
 def _pack(parts: list[_Part], shade: FloorShade) -> SceneBuffers:
     """Lay the parts' arrays end to end; world vertices and light are filled in when the parts get their poses."""
     meshes = [part.mesh for part in parts]
+    triangle_count = sum(len(mesh.triangles) for mesh in meshes)
+    if triangle_count > MOST_TRIANGLES:
+        raise InvalidInputError(f"a home may show {MOST_TRIANGLES} triangles, this one has {triangle_count}")
     vertex_ends = np.cumsum([len(d.vertices) for d in meshes])
     triangle_ends = np.cumsum([len(d.triangles) for d in meshes])
     vertex_starts, triangle_starts = (np.concatenate([[0], ends[:-1]]) for ends in (vertex_ends, triangle_ends))

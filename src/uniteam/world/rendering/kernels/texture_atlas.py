@@ -8,6 +8,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.errors import InvalidInputError
+
+MOST_TEXELS = 2**29
+"""Of all textures of a scene, with their smaller levels: 2 GiB."""
 MAX_LEVELS = 11
 """Mip levels a texture may have: 1024 texels and down to one."""
 
@@ -110,8 +114,11 @@ class AtlasBuilder:
 
 def pack_atlas(chains: Sequence[MipChain]) -> TextureAtlas:
     """Return one atlas of the chains, in their order."""
-    bases = np.concatenate([[0], np.cumsum([len(c.texels) for c in chains])])[:-1]
+    bases = np.concatenate([[0], np.cumsum([len(c.texels) for c in chains])])
+    if bases[-1] > MOST_TEXELS:
+        raise InvalidInputError(f"textures of {bases[-1]} texels are more than the {MOST_TEXELS} that a home may show")
     rows = [
-        [c.log2_width, c.log2_height, c.last_level, *(c.starts + base)] for c, base in zip(chains, bases, strict=True)
+        [c.log2_width, c.log2_height, c.last_level, *(c.starts + base)]
+        for c, base in zip(chains, bases[:-1], strict=True)
     ]
     return TextureAtlas(np.concatenate([c.texels for c in chains]), np.array(rows, dtype=np.int32))
