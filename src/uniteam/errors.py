@@ -33,3 +33,7 @@ class DamagedFileError(UniteamError):
 
 class InvalidInputError(UniteamError):
     """A value of the wrong shape, type or range."""
+
+
+class InvalidActionError(UniteamError):
+    """What a body cannot do because it is no action, or holds a number that is none; nothing has moved."""

@@ -7,6 +7,9 @@ from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction, Joints
 from uniteam.world.homes.home import Home
 
+MAXIMUM_STEPS = 1250
+"""Of an episode, as in the challenge."""
+
 
 @dataclass(frozen=True)
 class Candidate:
