@@ -1,8 +1,9 @@
 """Splits as files: JSON lines, gzip, self-contained.
 
-A line is one of `{"home": {...}}` (once for each home, objects at rest where physics left them), `{"view_points":
-{"home": name, "instances": {name: runs}}}` (see `lattice`) and `{"episode": {...}}`. A file may also be plain JSON
-lines, so that a split can be written by hand.
+Everything is checked when it is read: the fields of a line by `split_schema`, an episode against its home by
+`check_episode`. A line is one of `{"home": {...}}` (once for each home, objects at rest where physics left them),
+`{"view_points": {"home": name, "instances": {name: runs}}}` (see `lattice`) and `{"episode": {...}}`. A file may also
+be plain JSON lines, so that a split can be written by hand.
 """
 
 import gzip
