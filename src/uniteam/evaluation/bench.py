@@ -11,12 +11,12 @@ from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.episode_loop import play_episode
 from uniteam.evaluation.memory import peak_memory
 from uniteam.evaluation.warm_up import warm_up
-from uniteam.interface import DiscreteAction
+from uniteam.interface import Agent, DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.timing import stopwatch
 from uniteam.world.rendering.mujoco_reference import Comparison, compare_with_mujoco
 from uniteam.world.task.environment import Environment
-from uniteam.world.task.episode import Split
+from uniteam.world.task.episode import Episode, Split
 
 VIEWS = 12
 """Views of one home, all around the robot, to compare the camera on."""
@@ -32,13 +32,11 @@ class EpisodeTiming:
     Attributes:
         steps: taken.
         seconds: of the whole loop.
-        opening: seconds that the home took to open, before the loop.
         sections: seconds by section, "rest" included.
     """
 
     steps: int
     seconds: float
-    opening: float
     sections: dict[str, float]
 
 
@@ -68,35 +66,35 @@ def measure(split: Split, spec: AgentSpec, episode_count: int, on_episode: Calla
     """Play the first `episode_count` episodes of a split, one after the other, with the clock running."""
     cv2.setNumThreads(1)
     began = perf_counter()
-    environment = _open(split, 0, spec)
+    environment = _open(split, split.episodes[0], spec)
     warm_up(environment, spec.make(environment))
-    del environment
     warm = perf_counter() - began
-    timings = []
-    for index in range(episode_count):
-        timings.append(_time_episode(split, index, spec))
+    timings: list[EpisodeTiming] = []
+    openings: list[float] = []
+    for episode in split.episodes[:episode_count]:
+        if environment.home.name != episode.home or not timings:
+            began = perf_counter()
+            environment = _open(split, episode, spec)
+            openings.append(perf_counter() - began)
+        environment.reset(episode)
+        timings.append(_time_episode(environment, spec.make(environment)))
         on_episode()
-    return _report(timings, warm)
+    return _report(timings, openings, warm)
 
 
-def _open(split: Split, index: int, spec: AgentSpec) -> Environment:
-    episode = split.episodes[index]
+def _open(split: Split, episode: Episode, spec: AgentSpec) -> Environment:
     return Environment(split.homes[episode.home], episode, HEAD_CAMERA_HALF, spec.needs_truth)
 
 
-def _time_episode(split: Split, index: int, spec: AgentSpec) -> EpisodeTiming:
-    began = perf_counter()
-    environment = _open(split, index, spec)
-    agent = spec.make(environment)
-    opening = perf_counter() - began
+def _time_episode(environment: Environment, agent: Agent) -> EpisodeTiming:
     with stopwatch() as watch:
         result = play_episode(environment, agent)
     sections = {name: watch.seconds.get(name, 0.0) for name in SECTIONS}
     sections[REST] = result.seconds - sum(sections.values())
-    return EpisodeTiming(result.measures.num_steps, result.seconds, opening, sections)
+    return EpisodeTiming(result.measures.num_steps, result.seconds, sections)
 
 
-def _report(timings: Sequence[EpisodeTiming], warm: float) -> BenchReport:
+def _report(timings: Sequence[EpisodeTiming], openings: Sequence[float], warm: float) -> BenchReport:
     steps = sum(timing.steps for timing in timings)
     return BenchReport(
         episode_count=len(timings),
@@ -105,7 +103,7 @@ def _report(timings: Sequence[EpisodeTiming], warm: float) -> BenchReport:
         milliseconds={
             name: 1000.0 * sum(timing.sections[name] for timing in timings) / steps for name in (*SECTIONS, REST)
         },
-        opening_seconds=median(timing.opening for timing in timings),
+        opening_seconds=median(openings),
         warm_up_seconds=warm,
         peak_memory_mb=peak_memory(),
     )

@@ -3,6 +3,7 @@
 import logging
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from traceback import format_exception
 from typing import Any
 
@@ -56,6 +57,7 @@ class EpisodePlayer:
         self._run = run
         self._camera = camera_named(run.camera)
         self._charging = charging
+        self._open = lru_cache(maxsize=1)(self._opened)
 
     def __call__(self, attempt: Attempt) -> EpisodeResult | Lost:
         """Play an attempt.
@@ -74,7 +76,8 @@ class EpisodePlayer:
             steps += 1
 
         try:
-            environment = Environment(self._split.homes[episode.home], episode, self._camera, spec.needs_truth)
+            environment = self._open(episode.home, spec.needs_truth)
+            environment.reset(episode)
             agent = ChargedAgent(lambda: spec.make(environment), self._charging)
             return play_episode(environment, agent, count)
         except AgentError as error:
@@ -82,10 +85,17 @@ class EpisodePlayer:
         except UniteamError:
             raise
         except MemoryError as error:
+            self._open.cache_clear()
             return Lost("the machine had no memory left", "".join(format_exception(error)))
         except Exception as error:
+            self._open.cache_clear()
             reason = f"the simulator failed with {type(error).__name__}: {error}"
             return Lost(reason, "".join(format_exception(error)))
+
+    def _opened(self, home: str, give_truth: bool) -> Environment:
+        """Compile a home, for the first of its episodes; the last one is kept, as a worker stays with its home."""
+        first = next(episode for episode in self._split.episodes if episode.home == home)
+        return Environment(self._split.homes[home], first, self._camera, give_truth)
 
 
 @dataclass(frozen=True)

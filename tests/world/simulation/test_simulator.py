@@ -79,8 +79,8 @@ def test_blocked_motion_leaves_the_base_where_it_was_without_sliding(simulator: 
     start = BasePose(0.6, 1.5, math.radians(140.0))
     simulator.reset(start)
     events = simulator.apply(BaseDisplacement(x=1.0, heading=1.0), "cup")
-    assert events.base_blocked
-    assert not events.scene_collision
+    assert events.blocked
+    assert not events.hit
     assert simulator.base == start
 
 
@@ -125,19 +125,19 @@ def test_joints_move_by_their_displacement_within_their_ranges(simulator: Simula
 def test_arm_extended_into_a_wall_counts_once_a_step(simulator: Simulator) -> None:
     simulator.reset(BasePose(0.5, 2.0, math.radians(-90.0)))
     events = simulator.apply(A.EXTEND_ARM, "cup")
-    assert events.scene_collision
+    assert events.hit
     assert events.hit == "wall"
-    assert not events.base_blocked
-    assert simulator.apply(A.EMPTY_ACTION, "cup").scene_collision
+    assert not events.blocked
+    assert simulator.apply(A.EMPTY_ACTION, "cup").hit
     simulator.apply(A.NAVIGATION_MODE, "cup")
-    assert not simulator.apply(A.EMPTY_ACTION, "cup").scene_collision
+    assert not simulator.apply(A.EMPTY_ACTION, "cup").hit
 
 
 def test_gripper_takes_the_nearest_object_of_the_class_in_view(simulator: Simulator) -> None:
     simulator.apply(A.MANIPULATION_MODE, "cup")
     events = simulator.apply(A.SNAP_OBJECT, "cup")
     assert events.grasped == simulator.held == "mug_near"
-    assert not events.scene_collision
+    assert not events.hit
     assert simulator.apply(A.SNAP_OBJECT, "cup").grasped is None
     assert simulator.held == "mug_near"
 
@@ -174,12 +174,12 @@ def test_mug_released_above_the_table_comes_to_rest_on_it(simulator: Simulator) 
     simulator.apply(A.MANIPULATION_MODE, "cup")
     simulator.apply(A.SNAP_OBJECT, "cup")
     for action in (RAISED, JointDisplacement(Joints(-0.1, 0.25))):
-        assert not simulator.apply(action, "cup").scene_collision
+        assert not simulator.apply(action, "cup").hit
     above = simulator.object_pose("mug_near")
     events = simulator.apply(A.DESNAP_OBJECT, "cup")
     assert events.released == "mug_near"
     assert simulator.held is None
-    assert not events.scene_collision
+    assert not events.hit
     wait(simulator)
     assert simulator.physics.is_at_rest("mug_near")
     assert simulator.physics.touching("mug_near") == {"table_1"}
@@ -193,7 +193,7 @@ def test_mug_released_over_a_sink_ends_in_its_basin(simulator: Simulator) -> Non
     simulator.apply(A.MANIPULATION_MODE, "cup")
     assert simulator.apply(A.SNAP_OBJECT, "cup").grasped == "mug_sink"
     for action in (RAISED, A.EXTEND_ARM):
-        assert not simulator.apply(action, "cup").scene_collision
+        assert not simulator.apply(action, "cup").hit
     simulator.apply(A.DESNAP_OBJECT, "cup")
     wait(simulator, 60)
     assert simulator.physics.is_at_rest("mug_sink")

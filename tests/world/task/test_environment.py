@@ -1,22 +1,27 @@
 """The environment: what an agent sees, when an episode is over, and that the same actions give the same trace."""
 
-from dataclasses import replace
+import json
+import pickle
+from dataclasses import asdict, replace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from uniteam.errors import InvalidInputError
-from uniteam.geometry import PinholeCamera, invert_transform
+from uniteam.errors import InvalidActionError, InvalidInputError
+from uniteam.geometry import BasePose, PinholeCamera, invert_transform
 from uniteam.interface import (
     Action,
     BaseDisplacement,
+    Decision,
     DiscreteAction,
     JointDisplacement,
     Joints,
     Observation,
 )
-from uniteam.world.task.environment import MAXIMUM_STEPS, Environment
-from uniteam.world.task.episode import Episode, Split
+from uniteam.world.simulation.step_events import StepEvents
+from uniteam.world.task.environment import Environment
+from uniteam.world.task.episode import MAXIMUM_STEPS, Episode, Split
 from uniteam.world.task.splits import load_split
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(48, 64, np.radians(42.0))
@@ -82,12 +87,79 @@ def test_an_object_that_was_carried_away_lies_in_its_place_after_a_reset(split: 
     assert np.array_equal(simulator.object_pose(certificate.object), before)
 
 
-def test_an_episode_after_another_of_the_same_home_shares_its_simulator(split: Split) -> None:
-    first = _environment(split)
-    simulator = first.simulator
-    del first
+def test_an_environment_plays_another_episode_of_its_home_as_a_fresh_one_would(split: Split) -> None:
+    environment = _environment(split)
+    environment.reset()
+    environment.step(DiscreteAction.MOVE_FORWARD)
+    simulator = environment.simulator
     second = next(e for e in split.episodes[1:] if e.home == split.episodes[0].home)
-    assert _environment(split, second).simulator is simulator
+    assert _same(environment.reset(second), _environment(split, second).reset())
+    assert environment.simulator is simulator
+    assert environment.episode is second
+
+
+def test_a_start_in_collision_is_refused(split: Split) -> None:
+    wall = split.homes[split.episodes[0].home].stage.walls[0]
+    x, y = (wall.start[0] + wall.end[0]) / 2, (wall.start[1] + wall.end[1]) / 2
+    with pytest.raises(InvalidInputError, match="start"):
+        _environment(split, replace(split.episodes[0], start=BasePose(x, y, 0.0)))
+
+
+def test_an_observation_cannot_be_written_into(split: Split) -> None:
+    observation = _environment(split, give_truth=True).reset()
+    assert observation.truth is not None
+    arrays = (observation.rgb, observation.depth, observation.camera_to_start, observation.truth.instances)
+    for array in arrays:
+        with pytest.raises(ValueError, match="read-only"):
+            array[:] = 0
+
+
+def test_a_step_before_the_reset_is_refused(split: Split) -> None:
+    environment = _environment(split)
+    with pytest.raises(InvalidInputError, match=r"call reset\(\)"):
+        environment.step(DiscreteAction.TURN_LEFT)
+    assert environment.measures.num_steps == 0
+
+
+def test_what_is_no_action_is_refused_before_anything_moves(split: Split) -> None:
+    environment = _environment(split)
+    first = environment.reset()
+    nan, still = float("nan"), Joints(0.0, 0.0)
+    wrong: list[Any] = [
+        Decision(DiscreteAction.STOP, "S", "r"), None, "turn_left", 2, np.int64(2), DiscreteAction,
+        BaseDisplacement(x=nan), BaseDisplacement(heading=float("inf")), BaseDisplacement(x=10**400),
+        BaseDisplacement(x=True), BaseDisplacement(y=1j), BaseDisplacement(x="1"), BaseDisplacement(x=np.zeros(1)),  # type: ignore[arg-type]
+        JointDisplacement(Joints(nan, 0.0)), JointDisplacement(still, base=None), JointDisplacement(None),  # type: ignore[arg-type]
+    ]  # fmt: skip
+    for action in wrong:
+        with pytest.raises(InvalidActionError):
+            environment.step(action)
+    assert environment.measures.num_steps == 0
+    assert environment.simulator.joints == first.joints
+
+
+def test_numbers_of_any_width_leave_plain_floats(split: Split) -> None:
+    environment = _environment(split)
+    environment.reset()
+    observation = environment.step(BaseDisplacement(heading=np.float16(0.7)))  # type: ignore[arg-type]
+    json.dumps(asdict(observation.base_to_start))
+    assert type(observation.base_to_start.heading) is float
+
+
+def test_an_environment_says_what_to_send_in_its_place(split: Split) -> None:
+    with pytest.raises(TypeError, match="send its home and episode"):
+        pickle.dumps(_environment(split))
+
+
+def test_the_events_tell_what_came_of_the_last_step(split: Split) -> None:
+    environment = _environment(split)
+    environment.reset()
+    assert environment.events == StepEvents()
+    for _ in range(60):
+        environment.step(DiscreteAction.MOVE_FORWARD)
+        if environment.events.blocked:
+            break
+    assert environment.events.blocked
 
 
 def test_poses_are_given_from_where_the_episode_began(split: Split) -> None:

@@ -12,14 +12,14 @@ from uniteam.stretch import HEAD_CAMERA_HALF, gripper_to_base
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home
 from uniteam.world.oracle.base_stands import manipulation_base
-from uniteam.world.simulation.simulator import Simulator, StepEvents
+from uniteam.world.simulation.simulator import Simulator
+from uniteam.world.simulation.step_events import NOTHING
 from uniteam.world.task.episode import Certificate, Episode
 from uniteam.world.task.footprint import distance_to_footprint
 from uniteam.world.task.judge import Judge
 from uniteam.world.task.measures import Measures
 from uniteam.world.task.splits import load_split
 
-NOTHING = StepEvents(base_blocked=False, scene_collision=False, grasped=None, released=None)
 FOUND = Measures(find_object_phase_success=True)
 CARRIED = Measures(
     find_object_phase_success=True, pick_object_phase_success=True, find_recep_phase_success=True
@@ -180,8 +180,8 @@ def test_collisions_and_steps_are_counted_and_cost_the_overall_success(stage: St
     assert judge.measures.overall_success
     stage.simulator.reset(stage.episode.start)
     frame = stage.simulator.render()
-    for collides in (True, False, True):
-        judge.update(stage.simulator, replace(NOTHING, scene_collision=collides), frame, stopped=False)
+    for hit in ("wall", None, "table_1"):
+        judge.update(stage.simulator, replace(NOTHING, hit=hit), frame, stopped=False)
     assert judge.measures.robot_scene_colls == 2
     assert judge.measures.num_steps == 3
     assert not judge.measures.overall_success

@@ -2,8 +2,10 @@
 
 import gzip
 import json
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,6 +18,7 @@ from uniteam.world.homes.home import Home, Instance, Light, Room, Stage
 from uniteam.world.homes.polygon import rectangle
 from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
 from uniteam.world.task.lattice import lattice_points_near, points_to_runs, runs_to_points
+from uniteam.world.task.split_schema import MOST_BYTES
 from uniteam.world.task.splits import load_split, write_split
 
 UPRIGHT = (1.0, 0.0, 0.0, 0.0)
@@ -42,16 +45,15 @@ def _home(name: str) -> Home:
 
 
 def _episode(identifier: str, home: str) -> Episode:
-    category = load_catalogue().object_categories[0]
     release = Joints(lift=0.9, arm=0.3, wrist_pitch=-1.5, head_pan=-1.57, head_tilt=-0.8)
     return Episode(
         id=identifier,
         home=home,
         start=BasePose(1.25, 2.5, -1.0 / 3.0),
-        instruction=Instruction(category, "table", "sink"),
+        instruction=Instruction("cup", "table", "sink"),
         objects=(Candidate("cup_1", ((0.1, -0.2), (0.2, -0.2), (-0.1, 0.3))),),
         start_receptacles=("table_1",),
-        goal_receptacles=(Candidate("sink_1", ((2.0, 2.0),)), Candidate("sink_2", ())),
+        goal_receptacles=(Candidate("sink_1", ((2.0, 2.0),)), Candidate("sink_2", ((2.0, 2.0), (2.1, 2.0)))),
         unseen=True,
         seed=11,
         certificate=Certificate("cup_1", BasePose(0.1, 0.2, 0.3), "sink_1", BasePose(1.0, 2.0, 3.0), release),
@@ -125,15 +127,17 @@ def test_a_category_that_does_not_exist_is_refused(tmp_path: Path, field: str) -
         if "episode" in line:
             line["episode"]["instruction"][field] = "tabel"
     path.write_text("\n".join(json.dumps(line) for line in lines))
-    with pytest.raises(UnknownNameError, match="category 'tabel'"):
+    with pytest.raises(DamagedFileError, match=f"episode '0': instruction.{field}: unknown .* category 'tabel'"):
         load_split(path)
 
 
 def test_an_episode_about_what_its_home_does_not_hold_is_damaged(tmp_path: Path) -> None:
     path = tmp_path / "strange.jsonl"
-    homes = {name: replace(home, instances=home.instances[1:]) for name, home in _split().homes.items()}
+    homes = {
+        name: replace(home, instances=(home.instances[0], *home.instances[2:])) for name, home in _split().homes.items()
+    }
     write_split(replace(_split(), homes=homes), path)
-    with pytest.raises(DamagedFileError, match="'table_1', which its home does not hold"):
+    with pytest.raises(DamagedFileError, match="'sink_1' is nothing that its home holds"):
         load_split(path)
 
 
@@ -152,3 +156,87 @@ def test_no_point_of_the_floor_is_farther_from_the_lattice_than_the_judge_allows
     places = np.random.default_rng(1).uniform(-0.9, 0.9, (200, 2))
     distances = np.linalg.norm(places[:, None] - lattice[None], axis=2).min(axis=1)
     assert distances.max() < 0.1
+
+
+NONSENSE: dict[str, Callable[[dict[str, Any]], None]] = {
+    "objects": lambda e: e.update(objects=[]),
+    "goal_receptacles": lambda e: e.update(goal_receptacles=[]),
+    "start: .* outside every room": lambda e: e["start"].update(x=50.0),
+    "episode.start.x": lambda e: e["start"].update(x="one"),
+    "episode.start.heading": lambda e: e["start"].update(heading=1e9),
+    "both 'sink'": lambda e: e["instruction"].update(start_receptacle="sink"),
+    "episode.seed": lambda e: e.update(seed=-1),
+    "seed`": lambda e: e.update(seed=10**30),
+    "'cup_1' is named twice": lambda e: e.update(objects=["cup_1", "cup_1"]),
+    "is of class": lambda e: e.update(goal_receptacles=["table_1"]),
+    "start_receptacles: 'sink_1' is of class": lambda e: e.update(start_receptacles=["sink_1"]),
+    "episode.unseen": lambda e: e.update(unseen="yes"),
+    "unknown field `colour`": lambda e: e.update(colour="red"),
+    "certificate.object": lambda e: e["certificate"].update(object="sink_1"),
+    "holds no 'elsewhere'": lambda e: e.update(home="elsewhere"),
+    "comes twice": lambda e: e.update(id="1"),
+}
+
+
+def _lines(tmp_path: Path) -> list[dict[str, Any]]:
+    write_split(_split(), tmp_path / "good.jsonl.gz")
+    return [json.loads(line) for line in gzip.decompress((tmp_path / "good.jsonl.gz").read_bytes()).splitlines()]
+
+
+def _load(lines: list[dict[str, Any]], tmp_path: Path) -> Split:
+    path = tmp_path / "nonsense.jsonl"
+    path.write_text("\n".join(json.dumps(line) for line in lines))
+    return load_split(path)
+
+
+@pytest.mark.parametrize("said", NONSENSE)
+def test_nonsense_in_an_episode_is_refused_with_the_file_and_the_field(tmp_path: Path, said: str) -> None:
+    lines = _lines(tmp_path)
+    NONSENSE[said](next(line["episode"] for line in lines if "episode" in line))
+    with pytest.raises(DamagedFileError, match=rf"nonsense\.jsonl.*{said}"):
+        _load(lines, tmp_path)
+
+
+@pytest.mark.parametrize(
+    "runs", [[], [1, 2], [20, 0, 10**9], [20, 5, 1], [20, 1, 3, 20, 3, 4], ["a", 1, 1], [900, 1, 1]]
+)
+def test_view_points_that_make_no_sense_are_refused(tmp_path: Path, runs: list[Any]) -> None:
+    lines = _lines(tmp_path)
+    next(line["view_points"] for line in lines if "view_points" in line)["instances"]["sink_1"] = runs
+    with pytest.raises(DamagedFileError, match="view"):
+        _load(lines, tmp_path)
+
+
+def test_homes_view_points_and_instances_that_come_twice_are_refused(tmp_path: Path) -> None:
+    lines = _lines(tmp_path)
+    for doubled in lines[:3]:
+        with pytest.raises(DamagedFileError, match="comes twice"):
+            _load([*lines, doubled], tmp_path)
+    home = next(line["home"] for line in lines if "home" in line)
+    home["instances"].append(home["instances"][0])
+    with pytest.raises(DamagedFileError, match="instance"):
+        _load(lines, tmp_path)
+
+
+@pytest.mark.parametrize("content", [b'{"home":' + b"[" * 100_000, b'{"episode": "\xff"}', b'{"home": null}', b"{}"])
+def test_lines_that_are_none_are_refused(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "bad.jsonl").write_bytes(content)
+    with pytest.raises(DamagedFileError, match=r"bad\.jsonl"):
+        load_split(tmp_path / "bad.jsonl")
+
+
+def test_a_small_file_that_unpacks_to_a_huge_one_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "bomb.jsonl.gz"
+    path.write_bytes(gzip.compress(b" " * (MOST_BYTES + 1), 1))
+    with pytest.raises(DamagedFileError, match="more than"):
+        load_split(path)
+
+
+def test_the_digest_is_that_of_the_content(tmp_path: Path) -> None:
+    split = _split()
+    assert split.digest == _load(_lines(tmp_path), tmp_path).digest
+    later = replace(split.episodes[0], seed=12)
+    assert replace(split, episodes=(later, *split.episodes[1:])).digest != split.digest
+    home = split.homes["home_1"]
+    moved = {**split.homes, "home_1": replace(home, stage=replace(home.stage, ceiling_height=2.7))}
+    assert replace(split, homes=moved).digest != split.digest

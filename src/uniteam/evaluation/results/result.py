@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from uniteam.errors import DamagedFileError
-from uniteam.world.task.environment import MAXIMUM_STEPS
+from uniteam.world.task.episode import MAXIMUM_STEPS
 from uniteam.world.task.measures import Measures
 
 LARGEST_NUMBER = 1e9

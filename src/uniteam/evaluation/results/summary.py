@@ -6,7 +6,7 @@ from typing import Any
 
 from uniteam.evaluation.results.intervals import Estimate, estimate_mean, estimate_proportion
 from uniteam.evaluation.results.result import EpisodeResult, measures_to_data
-from uniteam.world.task.environment import MAXIMUM_STEPS
+from uniteam.world.task.episode import MAXIMUM_STEPS
 
 PROPORTIONS = (
     "find_object_phase_success",

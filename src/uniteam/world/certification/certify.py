@@ -113,7 +113,7 @@ class Certifier:
         """Do a plan as long as nothing is touched and nothing is in the way."""
         category = self.home.by_name[name].category
         events = (self.simulator.apply(action, category) for action in plan)
-        return not any(event.scene_collision or event.base_blocked for event in events)
+        return not any(event.hit is not None or event.blocked for event in events)
 
     def _comes_to_rest(self, name: str, receptacle: str) -> bool:
         nothing = repeat(DiscreteAction.EMPTY_ACTION, MOST_WAITING)

@@ -14,7 +14,7 @@ from uniteam.geometry import Point2
 from uniteam.interface import Action, Decision, DiscreteAction, Instruction, Observation
 from uniteam.world.oracle.pilot import Pilot
 from uniteam.world.task.environment import Environment
-from uniteam.world.task.episode import Candidate, Certificate
+from uniteam.world.task.episode import Candidate, Certificate, Episode
 
 LOOKING_DISTANCE = 1.1
 """From which (m) things of every height are well inside the head camera's view."""
@@ -31,19 +31,18 @@ class Oracle:
         Raises:
             InvalidInputError: the environment's episode has no certificate.
         """
-        certificate = environment.episode.certificate
-        if certificate is None:
-            raise InvalidInputError(
-                f"the oracle plays certified episodes, and episode '{environment.episode.id}' has no certificate; "
-                "generate episodes with 'uniteam episodes'"
-            )
         self._environment = environment
-        self._certificate: Certificate = certificate
+        self._certificate = _certificate(environment.episode)
         self._pilot = Pilot(environment.simulator)
         self._script: Iterator[Decision] = iter(())
 
     def reset(self, instruction: Instruction, seed: int) -> None:
-        """Begin anew; the instruction is the episode's own, and nothing is left to chance."""
+        """Begin anew with the environment's present episode; nothing is left to chance.
+
+        Raises:
+            InvalidInputError: the episode has no certificate.
+        """
+        self._certificate = _certificate(self._environment.episode)
         self._script = self._play()
 
     def act(self, observation: Observation) -> Decision:
@@ -92,6 +91,15 @@ class Oracle:
 
 def _decide(state: str, reason: str, actions: Iterator[Action]) -> Iterator[Decision]:
     return (Decision(action, state, reason) for action in actions)
+
+
+def _certificate(episode: Episode) -> Certificate:
+    if episode.certificate is None:
+        raise InvalidInputError(
+            f"the oracle plays certified episodes, and episode '{episode.id}' has no certificate; "
+            "generate episodes with 'uniteam episodes'"
+        )
+    return episode.certificate
 
 
 def _candidate(candidates: tuple[Candidate, ...], name: str) -> Candidate:

@@ -5,8 +5,8 @@ the gripper and what it holds are moved as asked, and whatever they meet on the 
 only when they fall.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,30 +38,12 @@ from uniteam.world.simulation.robot_state import (
     turned,
     with_joints,
 )
+from uniteam.world.simulation.step_events import NOTHING, StepEvents
 
 STEP_SECONDS = 0.032
 """How much time passes in a step (s): the challenge's 30 steps a second, in whole physics steps."""
 QUARTER_TURN = np.pi / 2
 """By how much the base turns for the arm to point to where it faced (rad)."""
-
-
-@dataclass(frozen=True)
-class StepEvents:
-    """What came of an action.
-
-    Attributes:
-        base_blocked: whether the base stayed because something was in its way.
-        scene_collision: whether the arm, the gripper or the held object met the scene.
-        grasped: the instance that was grasped, or None.
-        released: the instance that was released, or None.
-        hit: what was met first: an instance's name, "wall", "floor" or None.
-    """
-
-    base_blocked: bool = False
-    scene_collision: bool = False
-    grasped: str | None = None
-    released: str | None = None
-    hit: str | None = None
 
 
 class Simulator:
@@ -146,7 +128,7 @@ class Simulator:
         events = self._do(action, target_category)
         with section("physics"):
             if self._state is before:
-                events = _joined(events, self._touch())
+                events = events.then(self._touch())
             self.physics.advance(STEP_SECONDS)
         self._frame = None
         return events
@@ -156,40 +138,21 @@ class Simulator:
             in_view = np.unique(self.render().instances)
             return StepEvents(grasped=self._gripper.grasp(target_category, in_view, self._state))
         if isinstance(action, DiscreteAction):
-            return self._discrete_handlers()[action]()
+            return _DISCRETE[action](self)
         if isinstance(action, BaseDisplacement):
             return self._displace(admissible(action))
-        return _joined(self._displace(admissible(action.base)), self._pose(self.joints + action.delta))
-
-    def _discrete_handlers(self) -> dict[DiscreteAction, Callable[[], StepEvents]]:
-        """Return what each discrete action does, but for the grasp, which needs its target.
-
-        They are made anew for each action: kept, they would refer to the simulator that keeps them, and a home's memory
-        would stay until the garbage collector comes by.
-        """
-        extended = JOINT_LIMITS[1].arm
-        return {
-            DiscreteAction.STOP: StepEvents,
-            DiscreteAction.EMPTY_ACTION: StepEvents,
-            DiscreteAction.MOVE_FORWARD: lambda: self._displace(BaseDisplacement(x=FORWARD_STEP)),
-            DiscreteAction.TURN_LEFT: lambda: self._displace(BaseDisplacement(heading=TURN_STEP)),
-            DiscreteAction.TURN_RIGHT: lambda: self._displace(BaseDisplacement(heading=-TURN_STEP)),
-            DiscreteAction.NAVIGATION_MODE: self._navigation_mode,
-            DiscreteAction.MANIPULATION_MODE: self._manipulation_mode,
-            DiscreteAction.EXTEND_ARM: lambda: self._pose(replace(self.joints, arm=extended)),
-            DiscreteAction.DESNAP_OBJECT: lambda: StepEvents(released=self._gripper.release(self._state)),
-        }
+        return self._displace(admissible(action.base)).then(self._pose(self.joints + action.delta))
 
     def _displace(self, displacement: BaseDisplacement) -> StepEvents:
         """Move the base, then turn it; where it is blocked it stays, and does not turn either."""
         moved = translated(self._state, displacement.x, displacement.y)
         is_move = displacement.x != 0.0 or displacement.y != 0.0
         if is_move and not self.floor.sweep(self.base, moved.base.x, moved.base.y):
-            return StepEvents(base_blocked=True)
-        events = self._go(moved, 0.0) if is_move else StepEvents()
+            return StepEvents(blocked=True)
+        events = self._go(moved, 0.0) if is_move else NOTHING
         if displacement.heading == 0.0:
             return events
-        return _joined(events, self._go(turned(self._state, displacement.heading), displacement.heading))
+        return events.then(self._go(turned(self._state, displacement.heading), displacement.heading))
 
     def _pose(self, joints: Joints) -> StepEvents:
         return self._go(with_joints(self._state, joints), 0.0)
@@ -200,13 +163,19 @@ class Simulator:
         if not self._is_manipulating:
             return events
         self._is_manipulating = False
-        return _joined(events, self._displace(BaseDisplacement(heading=-QUARTER_TURN)))
+        return events.then(self._displace(BaseDisplacement(heading=-QUARTER_TURN)))
 
     def _manipulation_mode(self) -> StepEvents:
         """Turn the arm to where the robot faced, if it did not yet, and look along it."""
-        turn = StepEvents() if self._is_manipulating else self._displace(BaseDisplacement(heading=QUARTER_TURN))
+        turn = NOTHING if self._is_manipulating else self._displace(BaseDisplacement(heading=QUARTER_TURN))
         self._is_manipulating = True
-        return _joined(turn, self._pose(MANIPULATION_POSTURE))
+        return turn.then(self._pose(MANIPULATION_POSTURE))
+
+    def _extend_arm(self) -> StepEvents:
+        return self._pose(replace(self.joints, arm=JOINT_LIMITS[1].arm))
+
+    def _release(self) -> StepEvents:
+        return StepEvents(released=self._gripper.release(self._state))
 
     def _go(self, end: RobotState, turn: float) -> StepEvents:
         """Move to a state and say what was met on the way."""
@@ -215,21 +184,22 @@ class Simulator:
             path = tuple(samples(self._state, end, turn, 0.0 if held is None else held.radius))
             hit = self._collider.first_hit(path, held)
         self._state = end
-        return StepEvents(scene_collision=hit is not None, hit=hit)
+        return StepEvents(hit=hit)
 
     def _touch(self) -> StepEvents:
         """Say what the robot touches where it stands."""
-        hit = self._collider.first_hit((self._state,), self._gripper.held)
-        return StepEvents(scene_collision=hit is not None, hit=hit)
+        return StepEvents(hit=self._collider.first_hit((self._state,), self._gripper.held))
 
 
-def _joined(first: StepEvents, second: StepEvents) -> StepEvents:
-    """Return what came of two things that were done one after the other."""
-    hit = first.hit or second.hit
-    return StepEvents(
-        first.base_blocked or second.base_blocked,
-        hit is not None,
-        first.grasped or second.grasped,
-        first.released or second.released,
-        hit,
-    )
+_DISCRETE: Mapping[DiscreteAction, Callable[[Simulator], StepEvents]] = {
+    DiscreteAction.STOP: lambda simulator: NOTHING,
+    DiscreteAction.EMPTY_ACTION: lambda simulator: NOTHING,
+    DiscreteAction.MOVE_FORWARD: lambda simulator: simulator._displace(BaseDisplacement(x=FORWARD_STEP)),
+    DiscreteAction.TURN_LEFT: lambda simulator: simulator._displace(BaseDisplacement(heading=TURN_STEP)),
+    DiscreteAction.TURN_RIGHT: lambda simulator: simulator._displace(BaseDisplacement(heading=-TURN_STEP)),
+    DiscreteAction.NAVIGATION_MODE: Simulator._navigation_mode,
+    DiscreteAction.MANIPULATION_MODE: Simulator._manipulation_mode,
+    DiscreteAction.EXTEND_ARM: Simulator._extend_arm,
+    DiscreteAction.DESNAP_OBJECT: Simulator._release,
+}
+"""What each discrete action does, but for the grasp, which needs its target."""

@@ -1,11 +1,19 @@
 """An episode: which home, where the robot starts, what it is asked, and what would count as done."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
+from hashlib import sha256
+
+import numpy as np
 
 from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction, Joints
 from uniteam.world.homes.home import Home
+from uniteam.world.homes.serialization import home_digest
+
+MAXIMUM_STEPS = 1250
+"""Of an episode, as in the challenge."""
 
 
 @dataclass(frozen=True)
@@ -76,3 +84,18 @@ class Split:
     name: str
     episodes: tuple[Episode, ...]
     homes: Mapping[str, Home]
+
+    @cached_property
+    def digest(self) -> str:
+        """A SHA-256 of all that results depend on: the episodes in their order, and the homes with their libraries."""
+        together = sha256()
+        for episode in self.episodes:
+            candidates = (*episode.objects, *episode.goal_receptacles)
+            names = [[c.name for c in part] for part in (episode.objects, episode.goal_receptacles)]
+            rest = replace(episode, objects=(), goal_receptacles=())
+            together.update(sha256(repr((rest, names)).encode()).digest())
+            for candidate in candidates:
+                together.update(sha256(np.array(candidate.view_points, np.float64).tobytes()).digest())
+        for name in sorted({episode.home for episode in self.episodes}):
+            together.update(sha256(repr((name, home_digest(self.homes[name]))).encode()).digest())
+        return together.hexdigest()

@@ -9,10 +9,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from uniteam.errors import InvalidInputError
 from uniteam.geometry import BasePose
 from uniteam.world.homes.home import Home
 from uniteam.world.rendering.kernels.frame import Frame
-from uniteam.world.simulation.simulator import Simulator, StepEvents
+from uniteam.world.simulation.simulator import Simulator
+from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.episode import Candidate, Episode
 from uniteam.world.task.footprint import VIEW_DISTANCE, distance_to_footprint
 from uniteam.world.task.measures import Measures
@@ -38,6 +40,7 @@ class Judge:
     """Watches one episode and keeps its `Measures`."""
 
     def __init__(self, home: Home, episode: Episode) -> None:
+        """Begin with nothing achieved; raises InvalidInputError where the home lacks a candidate of the episode."""
         index = {instance.name: i for i, instance in enumerate(home.instances)}
         self._home = home
         self._objects = [_viewable(candidate, index) for candidate in episode.objects]
@@ -61,7 +64,7 @@ class Judge:
             pick_object_phase_success=picked,
             find_recep_phase_success=found_receptacle,
             place_success=found_receptacle and self._is_placed(simulator),
-            robot_scene_colls=measures.robot_scene_colls + events.scene_collision,
+            robot_scene_colls=measures.robot_scene_colls + (events.hit is not None),
             num_steps=measures.num_steps + 1,
             does_want_terminate=measures.does_want_terminate or stopped,
         )
@@ -94,6 +97,8 @@ def rests_on(simulator: Simulator, name: str, receptacles: Set[str]) -> bool:
 
 
 def _viewable(candidate: Candidate, index: dict[str, int]) -> _Viewable:
+    if candidate.name not in index:
+        raise InvalidInputError(f"the home holds no '{candidate.name}' to judge by; name one of its instances")
     return _Viewable(candidate.name, index[candidate.name], np.array(candidate.view_points).reshape(-1, 2))
 
 

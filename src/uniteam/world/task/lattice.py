@@ -6,12 +6,16 @@ runs of its rows are some twenty times shorter than the points themselves.
 """
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 
 import numpy as np
 
 from uniteam.geometry import Point2
 
 SPACING = 0.1
+
+MOST_POINTS = 40_000
+"""Of one instance: more than lie within 10 m of anything."""
 
 
 def lattice_points_near(x: float, y: float, reach_x: float, reach_y: float) -> np.ndarray:
@@ -35,8 +39,18 @@ def points_to_runs(points: Iterable[Point2]) -> list[int]:
 
 
 def runs_to_points(runs: Sequence[int]) -> tuple[Point2, ...]:
-    """Return the points (m) that `points_to_runs` wrote; raises ValueError where the runs are not triples."""
-    triples = zip(runs[0::3], runs[1::3], runs[2::3], strict=True)
+    """Return the points (m) that `points_to_runs` wrote.
+
+    Raises:
+        ValueError: the runs are not triples, end before they begin, do not ascend, or hold more than `MOST_POINTS`.
+    """
+    triples = list(zip(runs[0::3], runs[1::3], runs[2::3], strict=True))
+    if any(first > last for _, first, last in triples):
+        raise ValueError("a run ends before it begins")
+    if sum(last - first + 1 for _, first, last in triples) > MOST_POINTS:
+        raise ValueError(f"there are more than {MOST_POINTS} points")
+    if any((row, last) >= (row_after, first) for (row, _, last), (row_after, first, _) in pairwise(triples)):
+        raise ValueError("the runs do not ascend, or one meets a point twice")
     return tuple(
         (round(column * SPACING, 2), round(row * SPACING, 2))
         for row, first, last in triples

@@ -1,27 +1,38 @@
 """Splits as files: JSON lines, gzip, self-contained.
 
-A line is one of `{"home": {...}}` (once for each home, objects at rest where physics left them), `{"view_points":
-{"home": name, "instances": {name: runs}}}` (see `lattice`) and `{"episode": {...}}`. A file may also be plain JSON
-lines, so that a split can be written by hand.
+Everything is checked when it is read: the fields of a line by `split_schema`, an episode against its home by
+`check_episode`. A line is one of `{"home": {...}}` (once for each home, objects at rest where physics left them),
+`{"view_points": {"home": name, "instances": {name: runs}}}` (see `lattice`) and `{"episode": {...}}`. A file may also
+be plain JSON lines, so that a split can be written by hand.
 """
 
 import gzip
 import json
 import zlib
-from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from uniteam.errors import DamagedFileError, UnknownNameError
+import msgspec
+
+from uniteam.errors import DamagedFileError, UniteamError, UnknownNameError
+from uniteam.files import write_whole
 from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction, Joints
-from uniteam.world.assets.catalogue import load_catalogue
-from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 from uniteam.world.homes.home import Home
 from uniteam.world.homes.serialization import home_from_data, home_to_data
+from uniteam.world.task.check_episode import episode_problems
 from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
 from uniteam.world.task.lattice import points_to_runs, runs_to_points
+from uniteam.world.task.split_schema import (
+    MOST_BYTES,
+    MOST_VIEW_POINTS,
+    CertificateData,
+    EpisodeData,
+    LineData,
+    PoseData,
+    ViewPointsData,
+)
 
 SPLIT_DIRECTORY = Path(__file__).parent / "splits"
 SPLIT_NAMES = ("minival", "val", "test-standard", "test-challenge", "train")
@@ -29,54 +40,95 @@ SUFFIX = ".jsonl.gz"
 
 _GZIP_MAGIC = b"\x1f\x8b"
 ViewPoints = dict[str, tuple[Point2, ...]]
-
-
-class _LazyHomes(Mapping[str, Home]):
-    """Homes by name, each built from its data when it is first asked for."""
-
-    def __init__(self, path: Path, data: dict[str, dict[str, Any]]) -> None:
-        self._path = path
-        self._data = data
-        self._homes: dict[str, Home] = {}
-
-    def __getitem__(self, name: str) -> Home:
-        if name not in self._homes:
-            data = self._data[name]
-            try:
-                self._homes[name] = home_from_data(data, self._path.parent)
-            except (KeyError, TypeError, ValueError) as error:
-                raise _damaged(self._path, f"home '{name}' is incomplete: {error!r}") from error
-        return self._homes[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._data)
-
-    def __len__(self) -> int:
-        return len(self._data)
+Value = TypeVar("Value")
 
 
 def load_split(name_or_path: str | Path) -> Split:
     """Read a built-in split by its name, or a split's file by its path.
 
     Raises:
-        UnknownNameError: neither a built-in split nor a file; or an episode names a category that does not exist.
-        DamagedFileError: the file is not a split.
+        UnknownNameError: neither a built-in split nor a file.
+        DamagedFileError: the file is not a split, or something in it makes no sense; the sentence says where.
     """
     path = _path_of(str(name_or_path))
-    lines = _read_lines(path)
+    contents = _Contents(path)
+    for number, line in enumerate(_read(path).split(b"\n"), start=1):
+        if line.strip():
+            try:
+                contents.add(line)
+            except (msgspec.MsgspecError, RecursionError, ValueError, UniteamError) as error:
+                raise _damaged(path, f"line {number}: {_field(error)}") from error
     try:
-        homes = {line["home"]["name"]: line["home"] for line in lines if "home" in line}
-        view_points = {v["home"]: _decode_view_points(v) for v in _contents(lines, "view_points")}
-        episodes = tuple(_decode_episode(e, homes, view_points) for e in _contents(lines, "episode"))
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise _damaged(path, f"{type(error).__name__} {error}") from error
+        episodes = contents.episodes()
+    except ValueError as error:
+        raise _damaged(path, str(error)) from error
     if not episodes:
         raise _damaged(path, "it holds no episode")
-    return Split(path.name.removesuffix(".gz").removesuffix(".jsonl"), episodes, _LazyHomes(path, homes))
+    return Split(path.name.removesuffix(".gz").removesuffix(".jsonl"), episodes, contents.homes)
+
+
+class _Contents:
+    """What the lines of a file hold; nothing in it comes twice."""
+
+    def __init__(self, path: Path) -> None:
+        self._folder = path.parent
+        self._view_points: dict[str, ViewPoints] = {}
+        self._count = 0
+        self._episodes: dict[str, EpisodeData] = {}
+        self.homes: dict[str, Home] = {}
+
+    def add(self, line: bytes) -> None:
+        """Take in a line."""
+        data = msgspec.json.decode(line, type=LineData)
+        if sum(part is not msgspec.UNSET for part in (data.home, data.view_points, data.episode)) != 1:
+            raise ValueError("it must hold one of home, view_points and episode")
+        if data.home is not msgspec.UNSET:
+            home = home_from_data(msgspec.json.decode(data.home), self._folder)
+            _add(self.homes, "home", home.name, home)
+        if data.view_points is not msgspec.UNSET:
+            _add(self._view_points, "view points of home", data.view_points.home, self._points(data.view_points))
+        if data.episode is not msgspec.UNSET:
+            _add(self._episodes, "episode", data.episode.id, data.episode)
+
+    def episodes(self) -> tuple[Episode, ...]:
+        """Return the episodes; raises ValueError that names the one in which something is wrong."""
+        return tuple(self._checked(data) for data in self._episodes.values())
+
+    def _points(self, data: ViewPointsData) -> ViewPoints:
+        points = {}
+        for name, runs in data.instances.items():
+            try:
+                points[name] = runs_to_points(runs)
+            except ValueError as error:
+                raise ValueError(f"view points of '{name}' in home '{data.home}': {error}") from error
+            self._count += len(points[name])
+            if self._count > MOST_VIEW_POINTS:
+                raise ValueError(f"the file holds more than {MOST_VIEW_POINTS} view points")
+        return points
+
+    def _checked(self, data: EpisodeData) -> Episode:
+        if data.home not in self.homes:
+            raise ValueError(f"episode '{data.id}': home: the file holds no '{data.home}'")
+        episode = _episode(data, self._view_points.get(data.home, {}))
+        problem = next(episode_problems(episode, self.homes[data.home]), None)
+        if problem is not None:
+            raise ValueError(f"episode '{data.id}': {problem}")
+        return episode
+
+
+def _add(known: dict[str, Value], kind: str, name: str, value: Value) -> None:
+    if name in known:
+        raise ValueError(f"the {kind} '{name}' comes twice")
+    known[name] = value
+
+
+def _field(error: Exception) -> str:
+    """Return what is wrong, with the field's plain path."""
+    return str(error).replace("`$.", "`") or type(error).__name__
 
 
 def write_split(split: Split, path: Path) -> None:
-    """Write a split so that the same split gives the same bytes."""
+    """Write a split so that the same split gives the same bytes; raises UnwritableError."""
     lines: list[dict[str, Any]] = []
     for name, home in split.homes.items():
         episodes = [e for e in split.episodes if e.home == name]
@@ -86,44 +138,40 @@ def write_split(split: Split, path: Path) -> None:
         lines.append({"view_points": {"home": name, "instances": runs}})
         lines += ({"episode": _encode_episode(episode)} for episode in episodes)
     text = "".join(json.dumps(line, separators=(",", ":")) + "\n" for line in lines)
-    partial = path.with_name(path.name + ".partial")
-    partial.write_bytes(gzip.compress(text.encode(), mtime=0))
-    partial.replace(path)
+    write_whole(path, gzip.compress(text.encode(), mtime=0))
 
 
 def _path_of(name_or_path: str) -> Path:
     if name_or_path in SPLIT_NAMES:
         return SPLIT_DIRECTORY / f"{name_or_path}{SUFFIX}"
     path = Path(name_or_path)
-    if not path.is_file():
+    try:
+        is_file = path.is_file()
+    except (OSError, ValueError):
+        is_file = False
+    if not is_file:
         raise UnknownNameError("split or episode file", name_or_path, SPLIT_NAMES)
     return path
 
 
-def _read_lines(path: Path) -> list[dict[str, Any]]:
+def _read(path: Path) -> bytes:
+    """Return a file's content, unpacked as far as is sensible."""
     try:
-        content = path.read_bytes()
-        text = (gzip.decompress(content) if content.startswith(_GZIP_MAGIC) else content).decode("utf-8")
-        lines = [json.loads(line) for line in text.splitlines() if line.strip()]
+        with path.open("rb") as file:
+            is_packed = file.read(len(_GZIP_MAGIC)) == _GZIP_MAGIC
+        with gzip.open(path) if is_packed else path.open("rb") as content:
+            unpacked: bytes = content.read(MOST_BYTES + 1)
     except (OSError, EOFError, ValueError, zlib.error) as error:
         raise _damaged(path, str(error)) from error
-    if not all(isinstance(line, dict) for line in lines):
-        raise _damaged(path, "a line is not a JSON object")
-    return lines
-
-
-def _contents(lines: list[dict[str, Any]], key: str) -> Iterator[dict[str, Any]]:
-    return (line[key] for line in lines if key in line)
+    if len(unpacked) > MOST_BYTES:
+        raise _damaged(path, f"unpacked it has more than {MOST_BYTES} bytes")
+    return unpacked
 
 
 def _damaged(path: Path, what: str) -> DamagedFileError:
     return DamagedFileError(
         f"the episode file {path} cannot be read ({what}); write it again with 'uniteam episodes', or reinstall uniteam"
     )
-
-
-def _decode_view_points(data: dict[str, Any]) -> ViewPoints:
-    return {name: runs_to_points(runs) for name, runs in data["instances"].items()}
 
 
 def _encode_episode(episode: Episode) -> dict[str, Any]:
@@ -141,48 +189,26 @@ def _encode_episode(episode: Episode) -> dict[str, Any]:
     }
 
 
-def _decode_episode(data: dict[str, Any], homes: dict[str, Any], view_points: dict[str, ViewPoints]) -> Episode:
-    instruction = Instruction(**data["instruction"])
-    _check_categories(instruction)
-    if data["home"] not in homes:
-        raise ValueError(f"episode '{data['id']}' is in home '{data['home']}', which the file does not hold")
-    seen_from = view_points[data["home"]]
-    _check_instances(data, {instance["name"] for instance in homes[data["home"]]["instances"]})
-    certificate = data.get("certificate")
+def _episode(data: EpisodeData, seen_from: ViewPoints) -> Episode:
+    """Return the episode; what nobody gave view points has none."""
     return Episode(
-        id=data["id"],
-        home=data["home"],
-        start=BasePose(**data["start"]),
-        instruction=instruction,
-        objects=tuple(Candidate(name, seen_from[name]) for name in data["objects"]),
-        start_receptacles=tuple(data["start_receptacles"]),
-        goal_receptacles=tuple(Candidate(name, seen_from[name]) for name in data["goal_receptacles"]),
-        unseen=data["unseen"],
-        seed=data["seed"],
-        certificate=_decode_certificate(certificate) if certificate else None,
+        id=data.id,
+        home=data.home,
+        start=_pose(data.start),
+        instruction=Instruction(**msgspec.structs.asdict(data.instruction)),
+        objects=tuple(Candidate(name, seen_from.get(name, ())) for name in data.objects),
+        start_receptacles=tuple(data.start_receptacles),
+        goal_receptacles=tuple(Candidate(name, seen_from.get(name, ())) for name in data.goal_receptacles),
+        unseen=data.unseen,
+        seed=data.seed,
+        certificate=None if data.certificate is None else _certificate(data.certificate),
     )
 
 
-def _decode_certificate(data: dict[str, Any]) -> Certificate:
-    return Certificate(
-        object=data["object"],
-        grasp=BasePose(**data["grasp"]),
-        receptacle=data["receptacle"],
-        release=BasePose(**data["release"]),
-        release_joints=Joints(**data["release_joints"]),
-    )
+def _certificate(data: CertificateData) -> Certificate:
+    joints = Joints(**msgspec.structs.asdict(data.release_joints))
+    return Certificate(data.object, _pose(data.grasp), data.receptacle, _pose(data.release), joints)
 
 
-def _check_instances(data: dict[str, Any], names: set[str]) -> None:
-    unknown = sorted({*data["objects"], *data["start_receptacles"], *data["goal_receptacles"]} - names)
-    if unknown:
-        raise ValueError(f"episode '{data['id']}' speaks of '{unknown[0]}', which its home does not hold")
-
-
-def _check_categories(instruction: Instruction) -> None:
-    objects = load_catalogue().object_categories
-    if instruction.object_category not in objects:
-        raise UnknownNameError("object category", instruction.object_category, objects)
-    for category in (instruction.start_receptacle, instruction.goal_receptacle):
-        if category not in RECEPTACLE_CATEGORIES:
-            raise UnknownNameError("receptacle category", category, RECEPTACLE_CATEGORIES)
+def _pose(data: PoseData) -> BasePose:
+    return BasePose(data.x, data.y, data.heading)
