@@ -183,3 +183,12 @@ def test_an_episode_whose_worker_was_killed_is_lost_and_played_again(workshop: P
     again = evaluate(workshop, "--agents", "my_agent:Victim", "random", SPARE_ME="1")
     assert again.returncode == 0
     assert sorted(row["agent"] for row in results(workshop)) == ["my_agent:Victim"] * 2 + ["random"] * 2
+
+
+def test_an_exception_of_the_simulator_is_no_failure_of_the_agent(workshop: Path) -> None:
+    done = evaluate(workshop, "--agents", "my_agent:Saboteur")
+    assert done.returncode == 2
+    assert "the simulator failed with AttributeError" in done.stderr
+    assert results(workshop) == []
+    lost = [json.loads(line) for line in (workshop / "out" / "lost.jsonl").read_text().splitlines()]
+    assert all("Traceback" in entry["traceback"] for entry in lost)

@@ -7,12 +7,14 @@ import os
 import signal
 import time
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from uniteam.interface import Decision, DiscreteAction, Instruction, Observation, Segmentation
 from uniteam.mind.agents.config import AgentConfig
 from uniteam.mind.agents.improvements import Improvement
+from uniteam.mind.agents.registry import AgentContext
 from uniteam.world.generation.generate import generate_home
 from uniteam.world.homes.home import Home
 
@@ -98,4 +100,20 @@ class Victim(Spinner):
         """Turn twice."""
         if observation.step == 2 and "SPARE_ME" not in os.environ:
             os.kill(os.getpid(), signal.SIGKILL)
+        return super().act(observation)
+
+
+class Saboteur(Spinner):
+    """Breaks the simulator at its third step."""
+
+    needs_truth = True
+
+    def __init__(self, context: AgentContext) -> None:
+        """Keep the environment, as only an oracle should."""
+        self.environment: Any = context.environment
+
+    def act(self, observation: Observation) -> Decision:
+        """Turn, or break what turns the robot."""
+        if observation.step == 2:
+            self.environment.simulator = None
         return super().act(observation)
