@@ -47,12 +47,18 @@ COMMANDS = {
     "episodes": Command(
         "generate certified episodes of your own", "uniteam episodes --homes 9000:9010 --per-home 5 --out mine.jsonl.gz"
     ),
+    "agents": Command(
+        "list agents, perceptions, improvements and sources of homes, and where each is from", "uniteam agents"
+    ),
     "assets": Command(
         "list the models and draw contact sheets of them", "uniteam assets --category chair --sheet sheets"
     ),
     "bench": Command("measure where a step's time goes", "uniteam bench --out bench.json"),
     "doctor": Command("check that this installation is whole", "uniteam doctor"),
 }
+
+TAKING_NAMES = ("evaluate", "run")
+"""Commands whose help lists the agents, the perceptions and the improvements."""
 
 USER_ERROR = 2
 INTERRUPTED = 130
@@ -138,6 +144,8 @@ def _call(name: str, arguments: list[str]) -> int:
     function: Callable[..., None] = getattr(_load(name), name)
     summary = cleandoc(function.__doc__ or "").split("\n\nArgs:")[0]
     description = f"{summary}\n\nExample: {COMMANDS[name].example}"
+    if name in TAKING_NAMES and {"-h", "--help"} & set(arguments):
+        description += f"\n\n{_load('agents').names_help()}"
     tyro.cli(function, prog=f"uniteam {name}", description=description, args=arguments)
     return 0
 

@@ -5,7 +5,7 @@ import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from hashlib import sha256
-from importlib.metadata import version
+from importlib import import_module
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -13,11 +13,16 @@ from typing import Any
 import uniteam
 from uniteam.errors import UnknownNameError
 from uniteam.evaluation.agent_spec import AgentSpec
-from uniteam.world.assets.catalogue import PACK_DIRECTORY
+from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.homes.serialization import home_digest
+from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import SPLIT_DIRECTORY, SPLIT_NAMES, SUFFIX
 
-PACKAGES = ("numpy", "numba", "llvmlite", "mujoco", "opencv-python-headless")
-"""Other packages whose version can change a figure in its last bits, and so an episode."""
+PACKAGES = ("numpy", "numba", "llvmlite", "mujoco", "cv2")
+"""Modules of others whose version can change a figure in its last bits, and so an episode."""
+
+DIGITS = 12
+"""How much of a digest is kept: enough to tell any two runs apart that somebody has."""
 
 
 @dataclass(frozen=True)
@@ -41,19 +46,19 @@ class Run:
     episode_seconds: float = 3600.0
 
 
-def resolve(run: Run) -> dict[str, Any]:
-    """Return the configuration of a run; two runs with equal ones have equal results.
+def resolve(run: Run, split: Split) -> dict[str, Any]:
+    """Return the configuration of a run over a split that was loaded; two runs with equal ones have equal results.
 
     Raises:
-        UnknownNameError: an unknown split, agent, perception or improvement.
+        UniteamError: an unknown name, or a file of a home's library that cannot be read.
     """
-    split = _split_path(run.split)
     configuration = {
         "version": uniteam.__version__,
         "code": source_digest(),
-        "split": split.name.removesuffix(".gz").removesuffix(".jsonl"),
-        "split_digest": _digest([split]),
-        "models_digest": pack_digest(),
+        "split": split.name,
+        "split_digest": _digest([_split_path(run.split)]),
+        "homes_digest": _text_digest("".join(home_digest(split.homes[name]) for name in split.homes)),
+        "models_digest": load_catalogue().digest[:DIGITS],
         "software": software(),
         "perception": run.perception,
         "camera": run.camera,
@@ -72,10 +77,10 @@ def software() -> dict[str, str]:
     name, features, is_off = (getattr(config, option) for option in ("CPU_NAME", "CPU_FEATURES", "DISABLE_JIT"))
     return {
         "python": platform.python_version(),
-        **{package: version(package) for package in PACKAGES},
+        **{package: str(import_module(package).__version__) for package in PACKAGES},
         "platform": f"{platform.system()} {platform.machine()}",
         "cpu": name or binding.get_host_cpu_name(),
-        "cpu_features": sha256((features or binding.get_host_cpu_features().flatten()).encode()).hexdigest()[:12],
+        "cpu_features": _text_digest(features or binding.get_host_cpu_features().flatten()),
         "compiled": "no" if is_off else "yes",
     }
 
@@ -85,11 +90,6 @@ def source_digest() -> str:
     root = Path(uniteam.__file__).parent
     folders = chain((root / "world").rglob("*.py"), (root / "mind").rglob("*.py"), (root / "evaluation").glob("*.py"))
     return _digest(chain(root.glob("*.py"), folders))
-
-
-def pack_digest() -> str:
-    """Return a digest of the models, textures and catalogues of the pack."""
-    return _digest(path for path in PACK_DIRECTORY.rglob("*") if path.is_file() and path.suffix != ".md")
 
 
 def _split_path(split: str) -> Path:
@@ -104,4 +104,8 @@ def _digest(paths: Iterable[Path]) -> str:
     together = sha256()
     for path in sorted(paths):
         together.update(sha256(path.read_bytes()).digest())
-    return together.hexdigest()[:12]
+    return together.hexdigest()[:DIGITS]
+
+
+def _text_digest(text: str) -> str:
+    return sha256(text.encode()).hexdigest()[:DIGITS]

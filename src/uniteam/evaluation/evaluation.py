@@ -37,7 +37,7 @@ class Evaluation:
         ids = {episode.id for episode in self.split.episodes}
         if len(ids) < len(self.split.episodes):
             raise InvalidInputError(f"the split {run.split} holds two episodes of one id; give each an id of its own")
-        self._configuration = resolve(run)
+        self._configuration = resolve(run, self.split)
         self._wanted = choose_episodes(self.split.episodes, run.episode_count)
         self.store = ResultStore(directory, self._configuration, ids)
 

@@ -117,12 +117,12 @@ class PlayerSetup:
             InvalidInputError: code, models or split have changed since the run began.
         """
         cv2.setNumThreads(1)
-        if resolve(self.run) != self.configuration:
+        split = load_split(self.run.split)
+        if resolve(self.run, split) != self.configuration:
             raise InvalidInputError(
                 "the code, the models or the split have changed since the run began; "
                 "give the same command again with another --out"
             )
-        split = load_split(self.run.split)
         _warm_up(split, self.run)
         return EpisodePlayer(split, self.run, charging)
 
