@@ -76,10 +76,11 @@ ACTION_LIMITS = ActionLimits()
 class DiscreteAction(Enum):
     """The challenge's discrete actions.
 
-    Two do more than the challenge's: `MANIPULATION_MODE` turns the base by 90 degrees to the left, so that the arm points
-    to where the robot faced, and `NAVIGATION_MODE` turns it back if the robot was manipulating. `EXTEND_ARM` extends the
-    arm to its limit and leaves the lift where it is. `SNAP_OBJECT` grasps the nearest object of the asked class that the
-    camera sees within `uniteam.stretch.GRASP_RANGE` of the gripper.
+    `MANIPULATION_MODE` turns the base by 90 degrees to the left, so that the arm points to where the robot faced, if it
+    is not in that mode yet; `NAVIGATION_MODE` folds the arm and turns the base back, which the challenge's does not.
+    `EXTEND_ARM` extends the arm to its limit and leaves the lift where it is, which the challenge's moves too.
+    `SNAP_OBJECT` grasps the nearest object of the asked class that the camera sees within
+    `uniteam.stretch.GRASP_RANGE` of the gripper.
     """
 
     STOP = "stop"
@@ -170,8 +171,8 @@ class Segmentation:
         lowest, highest = self.instances.min(initial=-1), self.instances.max(initial=-1)
         if lowest < -1 or highest >= len(self.detections):
             raise InvalidInputError(
-                f"a segmentation's instances must be indices of its {len(self.detections)} detections, or -1 where there "
-                f"is none, got {lowest} to {highest}"
+                f"a segmentation's instances must be indices of its {len(self.detections)} detections, or -1 where "
+                f"there is none, got {lowest} to {highest}"
             )
 
 

@@ -52,7 +52,7 @@ class Registry(Generic[T]):
         Args:
             kind: what a value is, in the singular.
             group: the entry-point group.
-            check: returns what was found under a name if it is a value of the kind, and raises InvalidInputError if not.
+            check: returns what was found under a name if it is of the kind, and raises InvalidInputError if not.
         """
         self.kind = kind
         self.group = group
@@ -73,7 +73,7 @@ class Registry(Generic[T]):
             )
         if name in self._entries:
             raise InvalidInputError(f"there is {_article(self.kind)} '{name}' already; choose another name")
-        self._entries[name] = _Entry(self._check(name, value), module or getattr(value, "__module__", __name__))
+        self._entries[name] = _Entry(self._check(name, value), module or str(getattr(value, "__module__", __name__)))
         return value
 
     def get(self, name: str) -> T:
@@ -111,9 +111,7 @@ class Registry(Generic[T]):
         brought = self._brought()
         if name in brought:
             return self._load(name, brought[name].value)
-        raise UnknownNameError(
-            self.kind, name, self.names(), hint="or give one of your own as 'module:attribute'"
-        )
+        raise UnknownNameError(self.kind, name, self.names(), hint="or give one of your own as 'module:attribute'")
 
     def _load(self, name: str, reference: str) -> _Entry[T]:
         module_name, _, attribute = reference.partition(":")
@@ -140,9 +138,7 @@ def _module(name: str, what: str) -> object:
         remedy = (
             "run from its folder, or put that on PYTHONPATH" if missing else "see that it can be imported by itself"
         )
-        raise UnimportableError(
-            f"{what} cannot be imported ({type(error).__name__}: {error}); {remedy}"
-        ) from error
+        raise UnimportableError(f"{what} cannot be imported ({type(error).__name__}: {error}); {remedy}") from error
 
 
 def _attribute(module: object, path: str, what: str) -> object:

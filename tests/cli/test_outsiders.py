@@ -139,9 +139,7 @@ def test_an_agent_that_has_changed_is_another_agent(workshop: Path) -> None:
         (("--agents", "broken:Agent"), "ZeroDivisionError"),
     ],
 )
-def test_what_cannot_be_used_is_told_in_one_sentence(
-    arguments: tuple[str, ...], sentence: str, workshop: Path
-) -> None:
+def test_what_cannot_be_used_is_told_in_one_sentence(arguments: tuple[str, ...], sentence: str, workshop: Path) -> None:
     (workshop / "broken.py").write_text("1 / 0\n")
     done = evaluate(workshop, *arguments)
     assert done.returncode == 2

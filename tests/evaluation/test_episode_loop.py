@@ -6,6 +6,7 @@ import pytest
 from uniteam.evaluation.episode_loop import Step, play_episode, result_of_exception
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Action, Decision, DiscreteAction, Instruction, Joints, Observation
+from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.episode import Candidate, Episode
 from uniteam.world.task.measures import Measures
 
@@ -29,6 +30,10 @@ class Corridor:
     def __init__(self) -> None:
         self.episode = EPISODE
         self.actions: list[Action] = []
+
+    @property
+    def events(self) -> StepEvents:
+        return StepEvents()
 
     @property
     def measures(self) -> Measures:

@@ -6,8 +6,9 @@ import numpy as np
 
 from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose, PinholeCamera
-from uniteam.interface import Action, BaseDisplacement, Decision, DiscreteAction, Joints, Observation
+from uniteam.interface import Action, BaseDisplacement, Decision, DiscreteAction, Explanation, Joints, Observation
 from uniteam.visualization.narration import Narrator
+from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.measures import Measures
 
 NOTHING = Measures()
@@ -17,7 +18,9 @@ CAMERA = PinholeCamera.from_horizontal_fov(4, 6, 1.0)
 def step(number: int, x: float, action: Action, state: str = "FIND_OBJECT", measures: Measures = NOTHING) -> Step:
     rgb, depth = np.zeros((6, 4, 3), np.uint8), np.zeros((6, 4), np.float32)
     seen = Observation(rgb, depth, CAMERA, np.eye(4), BasePose(x, 0.0, 0.0), Joints(0.8, 0.0), False, number)
-    return Step(seen, Decision(action, state, "Because."), replace(measures, num_steps=number + 1))
+    return Step(
+        seen, Decision(action, state, "Because."), Explanation(), StepEvents(), replace(measures, num_steps=number + 1)
+    )
 
 
 def told(*steps: Step) -> list[tuple[int, str, str]]:

@@ -11,6 +11,7 @@ from uniteam.interface import (
     Decision,
     Detection,
     DiscreteAction,
+    Explanation,
     Instruction,
     JointDisplacement,
     Joints,
@@ -25,6 +26,7 @@ from uniteam.visualization.colors import BACKGROUND, GOAL_RECEPTACLE, MAP_COLORS
 from uniteam.visualization.map_view import draw_map
 from uniteam.visualization.panel import HEIGHT, WIDTH, PanelContent, draw_panel
 from uniteam.visualization.segmentation_view import draw_segmentation
+from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.measures import Measures
 
 INSTRUCTION = Instruction("toy_car", "table", "chest_of_drawers")
@@ -54,8 +56,8 @@ def step(reason: str = "The nearest table has not been looked at from close by."
     rgb, depth = np.full((320, 240, 3), 128, np.uint8), np.ones((320, 240), np.float32)
     pose, joints = BasePose(1.0, 0.0, 0.3), Joints(0.78, 0.0)
     seen = Observation(rgb, depth, CAMERA, np.eye(4), pose, joints, True, 311)
-    decision = Decision(DiscreteAction.MOVE_FORWARD, "NAVIGATE_TO_OBJECT", reason, segmentation(), overlay)
-    return Step(seen, decision, PLACED)
+    decision = Decision(DiscreteAction.MOVE_FORWARD, "NAVIGATE_TO_OBJECT", reason)
+    return Step(seen, decision, Explanation(segmentation(), overlay()), StepEvents(), PLACED)
 
 
 def count(picture: NDArray[np.uint8], color: tuple[int, int, int]) -> int:
@@ -122,7 +124,7 @@ def test_segments_have_the_colours_of_their_parts_in_the_instruction() -> None:
 
 
 def test_the_panel_shows_the_reached_measures_as_lit_lamps() -> None:
-    content = PanelContent("uniteam", INSTRUCTION, step(), overlay(), [], np.zeros((322, 592, 3), np.uint8))
+    content = PanelContent("uniteam", INSTRUCTION, step(), [], np.zeros((322, 592, 3), np.uint8))
     panel = draw_panel(content)
     assert panel.shape == (HEIGHT, WIDTH, 3)
     lamp = 113  # pixels of a disc of radius 6
@@ -130,8 +132,14 @@ def test_the_panel_shows_the_reached_measures_as_lit_lamps() -> None:
 
 
 def test_a_panel_of_an_agent_without_map_and_perception_is_drawn_too() -> None:
-    plain = Step(step().observation, Decision(DiscreteAction.STOP, "RANDOM", "The dice."), Measures())
-    panel = draw_panel(PanelContent("random", INSTRUCTION, plain, None, [], np.zeros((322, 592, 3), np.uint8)))
+    plain = Step(
+        step().observation,
+        Decision(DiscreteAction.STOP, "RANDOM", "The dice."),
+        Explanation(),
+        StepEvents(),
+        Measures(),
+    )
+    panel = draw_panel(PanelContent("random", INSTRUCTION, plain, [], np.zeros((322, 592, 3), np.uint8)))
     assert count(panel, SUCCESS) == 0
 
 

@@ -1,7 +1,9 @@
 """A Stretch among boxes: drives, grasps, reaches and lets go, for tests of the skills without the world's code."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from worlds.box_world import CAMERA, RADIUS, Box, cast, clearance, segmentation
@@ -85,7 +87,7 @@ class ArmWorld:
             self.base = moved
         self.base = self.base.compose(BasePose(0.0, 0.0, motion.heading))
 
-    def _move(self, end: object) -> None:
+    def _move(self, end: Joints) -> None:
         start = self.joints
         for share in np.linspace(0.1, 1.0, 10):
             self.joints = clamp_joints(start + _scaled(end - start, share))
@@ -126,13 +128,13 @@ class ArmWorld:
         return float(x), float(y), float(z)
 
 
-def _scaled(joints: object, share: float) -> object:
+def _scaled(joints: Joints, share: float) -> Joints:
     return replace(joints, **{name: share * value for name, value in vars(joints).items()})
 
 
-def play(world: ArmWorld, instruction: Instruction, begin: object) -> tuple[object, list[Action]]:
+def play(world: ArmWorld, instruction: Instruction, begin: Callable[[View], Skill[Any]]) -> tuple[Any, list[Action]]:
     """Carry a skill out in the world; return its result and its actions."""
-    skill: Skill = begin(world.view(instruction))
+    skill = begin(world.view(instruction))
     actions = []
     try:
         step = next(skill)

@@ -44,7 +44,7 @@ class Blindfold:
 
 
 def _impatient(config: AgentConfig) -> AgentConfig:
-    return replace(config, class_thresholds={})
+    return replace(config, first_turns=1)
 
 
 careful = Improvement("careful", "does something with care that others do not", _impatient)

@@ -2,6 +2,7 @@
 
 import inspect
 from functools import partial
+from typing import Any
 
 from rich.table import Table
 
@@ -13,7 +14,7 @@ from uniteam.mind.perception.registry import PERCEPTIONS
 from uniteam.registry import Registry
 from uniteam.world.generation.registry import HOMES
 
-SECTIONS: dict[str, Registry] = {  # type: ignore[type-arg]
+SECTIONS: dict[str, Registry[Any]] = {
     "agents": AGENTS,
     "perceptions": PERCEPTIONS,
     "improvements": IMPROVEMENTS,
@@ -46,7 +47,7 @@ def names_help() -> str:
     return "\n".join(listed)
 
 
-def _summary(registry: Registry, name: str) -> str:  # type: ignore[type-arg]
+def _summary(registry: Registry[Any], name: str) -> str:
     """Return a value's own summary or the first line of its docstring, or why it cannot be had."""
     try:
         value = registry.get(name)

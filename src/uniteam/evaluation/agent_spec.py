@@ -4,13 +4,28 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from uniteam.errors import UnknownNameError
+from uniteam.errors import InvalidInputError
 from uniteam.interface import Agent
-from uniteam.mind.agents.registry import AGENT_NAMES, describe_agent, make_agent, needs_truth
+from uniteam.mind.agents.registry import AGENTS, AgentContext, describe_agent, is_told_the_truth, make_agent
+from uniteam.mind.perception.registry import needs_truth
 from uniteam.world.oracle.oracle import Oracle
 from uniteam.world.task.environment import Environment
 
 ORACLE = "oracle"
+
+
+class _OracleFactory:
+    """The truth's own agent: it plays an episode as it was certified."""
+
+    needs_truth = True
+
+    def __call__(self, context: AgentContext) -> Agent:
+        if not isinstance(context.environment, Environment):
+            raise InvalidInputError("the oracle acts in the simulator's environment only; choose another agent")
+        return Oracle(context.environment)
+
+
+AGENTS.register(ORACLE, _OracleFactory(), module=__name__)
 
 
 @dataclass(frozen=True)
@@ -18,8 +33,8 @@ class AgentSpec:
     """Which agent to make.
 
     Attributes:
-        name: "oracle" or one of `AGENT_NAMES`.
-        perception: the kind of perception it sees with.
+        name: of an agent, or a reference "module:attribute".
+        perception: name or reference of the kind of perception it sees with.
         added: names of improvements it has besides its own.
         removed: names of improvements it does without.
     """
@@ -30,21 +45,16 @@ class AgentSpec:
     removed: tuple[str, ...] = ()
 
     def make(self, environment: Environment) -> Agent:
-        """Build the agent; only the oracle is shown the environment itself.
+        """Build the agent; only one that is told the truth is shown the environment itself.
 
         Raises:
             UnknownNameError: an unknown agent, perception or improvement.
+            InvalidInputError: what its factory makes is no agent.
         """
-        if self.name == ORACLE:
-            return Oracle(environment)
-        return make_agent(self.name, self.perception, self.added, self.removed)
+        return make_agent(self.name, self.perception, self.added, self.removed, environment)
 
     def describe(self) -> dict[str, Any]:
         """Return the resolved configuration as plain JSON data; raises UnknownNameError as `make` does."""
-        if self.name == ORACLE:
-            return {"agent": ORACLE}
-        if self.name not in AGENT_NAMES:
-            raise UnknownNameError("agent", self.name, (*AGENT_NAMES, ORACLE))
         return describe_agent(self.name, self.perception, self.added, self.removed)
 
     @property
@@ -77,6 +87,7 @@ def label_agents(
 def _label(spec: AgentSpec) -> str:
     """Return "uniteam", or "baseline with edge_margin" or "uniteam without edge_margin"."""
     parts = [spec.name]
+    parts += ["(told the truth)"] if spec.name != ORACLE and is_told_the_truth(spec.name) else []
     parts += ["with " + ", ".join(sorted(spec.added))] if spec.added else []
     parts += ["without " + ", ".join(sorted(spec.removed))] if spec.removed else []
     return " ".join(parts)

@@ -10,7 +10,15 @@ Value = TypeVar("Value")
 
 
 class AgentError(Exception):
-    """What an agent raised, in `__cause__`; everything else that is raised in an episode is the world's."""
+    """What an agent raised, in `__cause__`; everything else that is raised in an episode is the world's.
+
+    Attributes:
+        steps: how many decisions it had made in the episode.
+    """
+
+    def __init__(self, steps: int) -> None:
+        super().__init__(steps)
+        self.steps = steps
 
 
 class ChargedAgent:
@@ -19,15 +27,19 @@ class ChargedAgent:
     def __init__(self, make: Callable[[], Agent], charging: Charging) -> None:
         """Make the agent; raises AgentError."""
         self._charging = charging
+        self._steps = 0
         self._agent = self._do(make)
 
     def reset(self, instruction: Instruction, seed: int) -> None:
         """Begin an episode; raises AgentError."""
+        self._steps = 0
         self._do(lambda: self._agent.reset(instruction, seed))
 
     def act(self, observation: Observation) -> Decision:
         """Return the decision; raises AgentError."""
-        return self._do(lambda: self._agent.act(observation))
+        decision = self._do(lambda: self._agent.act(observation))
+        self._steps += 1
+        return decision
 
     def _do(self, call: Callable[[], Value]) -> Value:
         with self._charging():
@@ -36,4 +48,4 @@ class ChargedAgent:
             except MemoryError:  # the machine's, not the agent's
                 raise
             except (Exception, SystemExit) as error:
-                raise AgentError from error
+                raise AgentError(self._steps) from error

@@ -9,7 +9,8 @@ from typing import Protocol
 from uniteam.evaluation.memory import peak_memory
 from uniteam.evaluation.results.failure_cause import explain_failure
 from uniteam.evaluation.results.result import EpisodeResult
-from uniteam.interface import Action, Agent, Decision, Observation
+from uniteam.interface import Action, Agent, Decision, Explaining, Explanation, Observation
+from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.episode import Episode
 from uniteam.world.task.measures import Measures
 
@@ -20,6 +21,10 @@ class PlayableEnvironment(Protocol):
     """What the loop needs of an environment (`uniteam.world.task.environment.Environment` has it)."""
 
     episode: Episode
+
+    @property
+    def events(self) -> StepEvents:
+        """What the last step came to."""
 
     @property
     def measures(self) -> Measures:
@@ -38,10 +43,20 @@ class PlayableEnvironment(Protocol):
 
 @dataclass(frozen=True)
 class Step:
-    """One turn of the loop: what the agent saw, what it decided upon that, and the measures once that was done."""
+    """One step of the loop: what the agent saw, what it decided upon that, and what came of it.
+
+    Attributes:
+        observation: what the agent saw.
+        decision: what it decided.
+        explanation: what is behind the decision; empty for an agent that does not explain.
+        events: what the action came to.
+        measures: once that was done.
+    """
 
     observation: Observation
     decision: Decision
+    explanation: Explanation
+    events: StepEvents
     measures: Measures
 
 
@@ -58,10 +73,11 @@ def play_episode(environment: PlayableEnvironment, agent: Agent, observer: Obser
     observation = environment.reset()
     while not environment.is_over:
         decision = agent.act(observation)
+        explanation = _explanation(agent) if observer is not None else Explanation()
         seen, observation = observation, environment.step(decision.action)
         state, reason = decision.state, decision.reason
         if observer is not None:
-            observer(Step(seen, decision, environment.measures))
+            observer(Step(seen, decision, explanation, environment.events, environment.measures))
     return EpisodeResult(
         episode=episode.id,
         home=episode.home,
@@ -73,6 +89,10 @@ def play_episode(environment: PlayableEnvironment, agent: Agent, observer: Obser
         seconds=perf_counter() - began,
         peak_memory=peak_memory(),
     )
+
+
+def _explanation(agent: Agent) -> Explanation:
+    return agent.explain() if isinstance(agent, Explaining) else Explanation()
 
 
 def crashed_result(episode: Episode, failure: str, traceback: str, steps: int = 0) -> EpisodeResult:

@@ -10,15 +10,16 @@ from typing import Any
 import cv2
 
 from uniteam.errors import InvalidInputError, UniteamError, UnknownNameError
-from uniteam.evaluation.agent_spec import AGENT_NAMES, ORACLE, AgentSpec
+from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.backends.processes import Lost
 from uniteam.evaluation.backends.serving import Charging
 from uniteam.evaluation.charged_agent import AgentError, ChargedAgent
 from uniteam.evaluation.configuration import Run, resolve
-from uniteam.evaluation.episode_loop import Step, play_episode, result_of_exception
+from uniteam.evaluation.episode_loop import play_episode, result_of_exception
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.warm_up import warm_up
 from uniteam.geometry import PinholeCamera
+from uniteam.mind.agents.registry import AGENTS
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Split
@@ -69,19 +70,13 @@ class EpisodePlayer:
             UniteamError: the home cannot be opened: the split or the pack is at fault, and every episode would crash.
         """
         episode, spec = self._split.episodes[attempt.episode], self._run.agents[attempt.agent]
-        steps = 0
-
-        def count(step: Step) -> None:
-            nonlocal steps
-            steps += 1
-
         try:
             environment = self._open(episode.home, spec.needs_truth)
             environment.reset(episode)
             agent = ChargedAgent(lambda: spec.make(environment), self._charging)
-            return play_episode(environment, agent, count)
+            return play_episode(environment, agent)
         except AgentError as error:
-            return result_of_exception(episode, error.__cause__ or error, steps)
+            return result_of_exception(episode, error.__cause__ or error, error.steps)
         except UniteamError:
             raise
         except MemoryError as error:
@@ -130,7 +125,7 @@ class PlayerSetup:
 def _warm_up(split: Split, run: Run) -> None:
     """Have compiled what is uniteam's own; agents and perceptions from outside may hang, and have a clock later."""
     episode, camera = split.episodes[0], camera_named(run.camera)
-    for name in {spec.name for spec in run.agents.values()} & {*AGENT_NAMES, ORACLE}:
+    for name in sorted({spec.name for spec in run.agents.values() if AGENTS.sources().get(spec.name) == "uniteam"}):
         spec = AgentSpec(name, "truth")
         try:
             environment = Environment(split.homes[episode.home], episode, camera, spec.needs_truth)

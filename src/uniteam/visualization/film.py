@@ -25,12 +25,10 @@ class Film:
     def __call__(self, step: Step) -> None:
         """Add a frame; the last one stands still for a while."""
         self._trail.append(step.observation.base_to_start)
-        overlay = step.decision.overlay
         content = PanelContent(
             title=self._title,
             instruction=self._environment.episode.instruction,
             step=step,
-            overlay=overlay() if overlay is not None else None,
             trail=self._trail,
             third_person=self._environment.simulator.render_third_person(*THIRD_PERSON_SIZE),
         )

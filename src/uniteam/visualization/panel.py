@@ -7,7 +7,7 @@ import cv2
 
 from uniteam.evaluation.episode_loop import Step
 from uniteam.geometry import BasePose
-from uniteam.interface import Instruction, MapOverlay
+from uniteam.interface import Instruction
 from uniteam.visualization.canvas import BOLD, Area, Image, TextStyle, blank, place, text_width, write, write_tag
 from uniteam.visualization.canvas import write_wrapped as paragraph
 from uniteam.visualization.captions import MILESTONES, describe_action
@@ -44,7 +44,6 @@ class PanelContent:
         title: which agent, split and episode.
         instruction: what is asked.
         step: what was seen, decided and measured.
-        overlay: the map behind the decision, or None for an agent without one.
         trail: where the base has been (start frame).
         third_person: (H, W, 3) RGB view of the robot in its home.
     """
@@ -52,7 +51,6 @@ class PanelContent:
     title: str
     instruction: Instruction
     step: Step
-    overlay: MapOverlay | None
     trail: Sequence[BasePose]
     third_person: Image
 
@@ -98,7 +96,7 @@ def _draw_heading(canvas: Image, content: PanelContent) -> None:
 
 
 def _segments(content: PanelContent) -> Image:
-    observation, segmentation = content.step.observation, content.step.decision.segmentation
+    observation, segmentation = content.step.observation, content.step.explanation.segmentation
     if segmentation is None:
         return blank(_SEGMENTS.width, _SEGMENTS.height)
     scale = _SEGMENTS.width / observation.camera.width
@@ -106,10 +104,11 @@ def _segments(content: PanelContent) -> Image:
 
 
 def _map(content: PanelContent) -> Image:
-    if content.overlay is None:
+    overlay = content.step.explanation.overlay
+    if overlay is None:
         return blank(_MAP.width, _MAP.height)
     base = content.step.observation.base_to_start
-    return draw_map(content.overlay, base, content.trail, (_MAP.width, _MAP.height))
+    return draw_map(overlay, base, content.trail, (_MAP.width, _MAP.height))
 
 
 def _draw_words(canvas: Image, step: Step) -> None:

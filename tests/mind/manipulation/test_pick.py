@@ -11,14 +11,14 @@ from worlds.box_world import Box
 from uniteam.geometry import BasePose
 from uniteam.interface import DiscreteAction, Instruction
 from uniteam.mind.agents.config import BASELINE
-from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.agents.improvements import improved
 from uniteam.mind.manipulation.pick.pick import PickConfig, PickResult, load_seen, pick
 
 INSTRUCTION = Instruction("cup", "table", "bed")
 TABLE = Box((0.45, -1.0, 0.0), (1.3, 1.0, 0.7), "table")
 BASIC = BASELINE.pick
-LOOKING = BASELINE.with_improvements({Improvement.LOOK_AROUND_PICK}).pick
-VERIFYING = BASELINE.with_improvements({Improvement.VERIFY_PICK}).pick
+LOOKING = improved(BASELINE, {"look_around_pick"}).pick
+VERIFYING = improved(BASELINE, {"verify_pick"}).pick
 
 
 def cup_at(x: float, y: float) -> Box:
@@ -75,8 +75,8 @@ def test_look_around_pick_drives_closer_to_an_object_in_view_beyond_reach() -> N
 
 
 def test_look_around_pick_lifts_the_gripper_to_a_high_object() -> None:
-    boxes = (Box((0.45, -0.5, 0.0), (1.0, 0.5, 1.05), "table"),)
-    boxes += (Box((0.84, -0.04, 1.05), (0.92, 0.04, 1.15), "cup"),)
+    table = Box((0.45, -0.5, 0.0), (1.0, 0.5, 1.05), "table")
+    boxes = (table, Box((0.84, -0.04, 1.05), (0.92, 0.04, 1.15), "cup"))
     worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
     pick_in(worlds[0], BASIC)
     pick_in(worlds[1], LOOKING)

@@ -11,7 +11,7 @@ from worlds.box_world import Box
 from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction, Instruction
 from uniteam.mind.agents.config import BASELINE
-from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.agents.improvements import improved
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.place.edge_margin import SafeFromEdges
 from uniteam.mind.manipulation.place.place import PlaceConfig, PlaceTask, place
@@ -26,9 +26,9 @@ def table(x: float, depth: float = 0.7, height: float = 0.75, name: str = "table
     return Box((x, -0.7, 0.0), (x + depth, 0.7, height), name)
 
 
-def config(*improvements: Improvement) -> PlaceConfig:
+def config(*improvements: str) -> PlaceConfig:
     """Return the baseline's placing with some improvements, and little patience for the fall."""
-    return replace(BASELINE.with_improvements(set(improvements)).place, rest_steps=2)
+    return replace(improved(BASELINE, set(improvements)).place, rest_steps=2)
 
 
 def place_in(world: ArmWorld, settings: PlaceConfig, load: Load = CUP_LOAD, held: Box = CUP) -> list[object]:
@@ -76,7 +76,7 @@ def test_stepwise_place_gets_to_a_table_that_one_long_drive_does_not_reach() -> 
     worlds = [ArmWorld((goal, obstacle), start) for _ in range(2)]
     actions = [
         place_in(worlds[0], config()),
-        place_in(worlds[1], config(Improvement.STEPWISE_PLACE, Improvement.DROP_HEIGHT)),
+        place_in(worlds[1], config("stepwise_place", "drop_height")),
     ]
     assert worlds[0].base.distance_to(0.0, 0.0) < 0.01
     assert not is_over(worlds[0], goal)
@@ -90,7 +90,7 @@ def test_stepwise_place_finds_a_way_for_the_arm_where_the_baseline_hits_a_lamp()
     lamp = Box((0.55, -0.1, 0.7), (0.65, 0.1, 1.3))
     worlds = [ArmWorld((goal, lamp), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
     place_in(worlds[0], config())
-    place_in(worlds[1], config(Improvement.STEPWISE_PLACE, Improvement.DROP_HEIGHT))
+    place_in(worlds[1], config("stepwise_place", "drop_height"))
     assert worlds[0].hits
     assert is_over(worlds[1], goal)
     assert worlds[1].hits == []
@@ -127,7 +127,7 @@ def test_surface_fallback_uses_a_flat_surface_where_the_baseline_lets_go_blindly
     desk = Box((0.42, -0.4, 0.0), (0.62, 0.4, 0.8), "desk")
     worlds = [ArmWorld((desk,), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
     actions = place_in(worlds[0], config())
-    place_in(worlds[1], config(Improvement.SURFACE_FALLBACK))
+    place_in(worlds[1], config("surface_fallback"))
     assert actions[0] is DiscreteAction.MANIPULATION_MODE
     assert not is_over(worlds[0], desk)
     assert is_over(worlds[1], desk)
@@ -135,7 +135,7 @@ def test_surface_fallback_uses_a_flat_surface_where_the_baseline_lets_go_blindly
 
 def test_surface_fallback_extends_blindly_only_where_there_is_no_surface_either() -> None:
     world = ArmWorld((), BasePose(0.0, 0.0, 0.0))
-    place_in(world, config(Improvement.SURFACE_FALLBACK))
+    place_in(world, config("surface_fallback"))
     assert world.released is not None
     assert math.hypot(world.released[0], world.released[1]) > 0.6
 
@@ -146,7 +146,7 @@ def test_drop_height_lifts_a_tall_object_over_a_counter_that_it_would_hit() -> N
     load = Load(0.05, 0.05, 0.25)
     worlds = [ArmWorld((counter,), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
     place_in(worlds[0], config(), load, vase)
-    place_in(worlds[1], config(Improvement.DROP_HEIGHT), load, vase)
+    place_in(worlds[1], config("drop_height"), load, vase)
     assert worlds[0].hits
     assert worlds[1].hits == []
     assert is_over(worlds[1], counter)

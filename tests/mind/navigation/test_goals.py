@@ -81,8 +81,10 @@ def test_a_goal_receptacle_seen_far_away_is_remembered_and_headed_for() -> None:
     boxes = (*room(-3.0, -3.0, 8.0, 3.0), far)
     baseline = Drive.begin(boxes, START)
     remembering = Drive.begin(boxes, START, map_config=MapConfig(class_depths=(3.5, 3.5, 10.0)))
-    assert baseline.step(FIND_RECEPTACLE)[0].kind is GoalKind.FRONTIER
-    goal, plan = remembering.step(FIND_RECEPTACLE)
+    first, found = baseline.step(FIND_RECEPTACLE), remembering.step(FIND_RECEPTACLE)
+    assert first is not None and found is not None
+    assert first[0].kind is GoalKind.FRONTIER
+    goal, plan = found
     assert goal.kind is GoalKind.GOAL_RECEPTACLE
     assert plan.path[-1][0] > 5.5
     assert not remembering.bird_map.obstacle[remembering.bird_map.to_cell(6.52, 0.0)]

@@ -102,7 +102,9 @@ def test_frontiers_are_where_the_view_ends_and_not_behind_walls() -> None:
 
 def test_the_goal_receptacle_comes_before_frontiers_once_it_is_known() -> None:
     drive = Drive.begin((*TWO_ROOMS, BED), START)
-    assert drive.step(FIND_RECEPTACLE)[0].kind is GoalKind.FRONTIER
+    first = drive.step(FIND_RECEPTACLE)
+    assert first is not None
+    assert first[0].kind is GoalKind.FRONTIER
     found = drive.run(FIND_RECEPTACLE, 200, arrived)
     assert found is not None
     assert found[0].kind is GoalKind.GOAL_RECEPTACLE

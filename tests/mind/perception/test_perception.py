@@ -7,12 +7,12 @@ from worlds.box_world import Box, observe
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import BasePose
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
-from uniteam.mind.agents.config import BASELINE, UNITEAM_THRESHOLDS
-from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.agents.config import BASELINE
+from uniteam.mind.agents.improvements import UNITEAM_THRESHOLDS, improved
 from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
-from uniteam.mind.perception.registry import perception_kind
-from uniteam.mind.perception.truth import truth_perception
+from uniteam.mind.perception.registry import make_perception
+from uniteam.mind.perception.truth import visible_truth
 from uniteam.mind.perception.vocabulary import roles_of
 
 INSTRUCTION = Instruction("cup", "table", "bed")
@@ -47,7 +47,7 @@ def test_truth_leaves_out_what_covers_fewer_than_twenty_pixels() -> None:
     crowded = Segmentation(instances, (*truth.detections, Detection((("pen", 1.0),)), Detection((("fork", 1.0),))))
     far = observation.depth.copy()
     far[:2] = 5.0
-    seen = truth_perception(_changed(observation, truth=crowded, depth=far), INSTRUCTION)
+    seen = visible_truth(_changed(observation, truth=crowded, depth=far))
     assert names(seen) == ["table", "fork"]
     assert seen.instances[1, 0] == 1 and seen.instances[0, 0] == -1
     assert seen.detections[0].score == 1.0 and seen.detections[0].embedding is None
@@ -56,18 +56,18 @@ def test_truth_leaves_out_what_covers_fewer_than_twenty_pixels() -> None:
 def test_truth_leaves_out_what_is_beyond_the_depth_cameras_range() -> None:
     observation = observe((TABLE,), BasePose(0.0, 0.0, 0.0))
     blind = _changed(observation, depth=np.zeros_like(observation.depth))
-    assert truth_perception(blind, INSTRUCTION).detections == ()
+    assert visible_truth(blind).detections == ()
 
 
 def test_truth_is_asked_for_and_missing() -> None:
     observation = _changed(observe((TABLE,), BasePose(0.0, 0.0, 0.0)), truth=None)
     with pytest.raises(InvalidInputError, match="give_truth"):
-        truth_perception(observation, INSTRUCTION)
+        visible_truth(observation)
 
 
 def test_a_misspelt_perception_is_answered_with_the_nearest() -> None:
     with pytest.raises(UnknownNameError, match="did you mean 'truth'"):
-        perception_kind("truht")
+        make_perception("truht")
 
 
 def test_the_baseline_believes_everything_from_0_45() -> None:
@@ -77,9 +77,9 @@ def test_the_baseline_believes_everything_from_0_45() -> None:
 
 def test_class_thresholds_find_a_faint_object_that_one_threshold_misses_and_doubt_a_goal_receptacle() -> None:
     segmentation, observation = with_candidates((("cup", 0.38),), (("bed", 0.5),), (("table", 0.5),))
-    improved = BASELINE.with_improvements({Improvement.CLASS_THRESHOLDS})
+    better = improved(BASELINE, {"class_thresholds"})
     assert names(believed(BASELINE.filters, segmentation, observation)) == ["bed", "table"]
-    assert names(believed(improved.filters, segmentation, observation)) == ["cup", "table"]
+    assert names(believed(better.filters, segmentation, observation)) == ["cup", "table"]
 
 
 def test_a_threshold_of_a_class_goes_before_that_of_its_role() -> None:
@@ -115,15 +115,15 @@ def test_floor_filter_drops_what_lies_on_the_floor_and_keeps_what_stands_on_furn
         Box((0.5, 0.1, 0.0), (0.8, 0.3, 0.02), "rug"),
     )
     observation = observe(boxes, BasePose(-0.6, 0.0, 0.0))
-    seen = truth_perception(observation, INSTRUCTION)
+    seen = visible_truth(observation)
     assert names(seen) == ["table", "cup", "cup", "bed", "bed", "rug"]
     left = FloorFilter()(seen, observation, INSTRUCTION)
     assert names(left) == ["table", "cup", "bed", "rug"]
     kept = [left.detections[i].name for i in np.unique(left.instances) if i >= 0]
     assert sorted(kept) == ["bed", "cup", "rug", "table"]
     assert names(believed(BASELINE.filters, seen, observation)) == names(seen)
-    improved = BASELINE.with_improvements({Improvement.FLOOR_FILTER})
-    assert names(believed(improved.filters, seen, observation)) == names(left)
+    better = improved(BASELINE, {"floor_filter"})
+    assert names(believed(better.filters, seen, observation)) == names(left)
 
 
 def _changed(observation: Observation, **changes: object) -> Observation:

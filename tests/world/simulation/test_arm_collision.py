@@ -12,6 +12,7 @@ from uniteam.interface import Joints
 from uniteam.stretch import NAVIGATION_POSTURE, gripper_to_base
 from uniteam.world.assets.catalogue import Catalogue
 from uniteam.world.assets.model import Box
+from uniteam.world.homes.home import Instance
 from uniteam.world.physics.collision_shapes import model_vertices
 from uniteam.world.physics.physics import Physics
 from uniteam.world.simulation.arm_collision import TOUCH_DEPTH, ArmCollider
@@ -24,7 +25,7 @@ STRAIGHT = Joints(lift=0.78, arm=0.0)
 EXTENDED = replace(STRAIGHT, arm=0.52)
 
 
-def collider_of(*things, catalogue: Catalogue = CATALOGUE) -> ArmCollider:
+def collider_of(*things: Instance, catalogue: Catalogue = CATALOGUE) -> ArmCollider:
     return ArmCollider(Physics(small_home(*things, library=catalogue)))
 
 

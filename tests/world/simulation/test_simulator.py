@@ -11,7 +11,7 @@ import pytest
 from worlds.small_home import small_home
 
 from uniteam.geometry import BasePose
-from uniteam.interface import BaseDisplacement, DiscreteAction, JointDisplacement, Joints
+from uniteam.interface import Action, BaseDisplacement, DiscreteAction, JointDisplacement, Joints
 from uniteam.stretch import HEAD_CAMERA_HALF, MANIPULATION_POSTURE, NAVIGATION_POSTURE, head_camera_to_base
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.home import Home, Instance
@@ -213,7 +213,14 @@ def test_reset_puts_everything_back(simulator: Simulator) -> None:
 
 
 def test_same_actions_give_the_same_bits_in_another_simulator_and_after_a_reset(simulator: Simulator) -> None:
-    actions = [A.MANIPULATION_MODE, A.SNAP_OBJECT, RAISED, A.EXTEND_ARM, A.DESNAP_OBJECT, *[A.EMPTY_ACTION] * 20]
+    actions: list[Action] = [
+        A.MANIPULATION_MODE,
+        A.SNAP_OBJECT,
+        RAISED,
+        A.EXTEND_ARM,
+        A.DESNAP_OBJECT,
+        *[A.EMPTY_ACTION] * 20,
+    ]
     actions += [A.NAVIGATION_MODE, A.TURN_LEFT, A.MOVE_FORWARD]
     traces = []
     for one in (simulator, Simulator(furnished_home(), HEAD_CAMERA_HALF), simulator):

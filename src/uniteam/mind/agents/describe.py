@@ -28,7 +28,12 @@ def describe(value: Any) -> Any:
         return [describe(item) for item in value]
     if isinstance(value, partial):
         given = {str(key): describe(item) for key, item in value.keywords.items()}
-        return {"kind": "partial", "function": describe(value.func), "arguments": [describe(a) for a in value.args], **given}
+        return {
+            "kind": "partial",
+            "function": describe(value.func),
+            "arguments": [describe(a) for a in value.args],
+            **given,
+        }
     if inspect.isfunction(value):
         if "<" in value.__qualname__:  # two lambdas would be described alike
             raise InvalidInputError(

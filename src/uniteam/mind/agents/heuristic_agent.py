@@ -62,10 +62,9 @@ class HeuristicAgent:
         segmentation = self._perception.perceive(observation)
         if segmentation.instances.shape != observation.depth.shape:
             raise InvalidInputError(
-                f"perception {type(self._perception).__name__} gave a segmentation of {segmentation.instances.shape} for "
-                f"a frame of {observation.depth.shape}; resize its instances to the frame, by nearest neighbour"
+                f"perception {type(self._perception).__name__} gave a segmentation of {segmentation.instances.shape} "
+                f"for a frame of {observation.depth.shape}; resize its instances to the frame, by nearest neighbour"
             )
         for believe in self.config.filters:
             segmentation = believe(segmentation, observation, instruction)
         return segmentation
-

@@ -10,7 +10,7 @@ from uniteam.interface import Agent, Body, Perception
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
-from uniteam.mind.agents.improvement import Improvement, improvements_named
+from uniteam.mind.agents.improvements import IMPROVEMENTS, REPORT, improved
 from uniteam.mind.agents.random_agent import RandomAgent
 from uniteam.mind.perception.registry import PERCEPTIONS, make_perception
 from uniteam.registry import Registry
@@ -43,15 +43,15 @@ def _checked(name: str, value: object) -> AgentConfig | AgentFactory:
         return value
     if not callable(value):
         raise InvalidInputError(
-            f"agent '{name}' must be an AgentConfig, or a class or function that makes an agent of an AgentContext or of "
-            f"nothing, got {type(value).__name__}"
+            f"agent '{name}' must be an AgentConfig, or a class or function that makes an agent of an AgentContext "
+            f"or of nothing, got {type(value).__name__}"
         )
     return cast(AgentFactory, value)
 
 
 AGENTS: Registry[AgentConfig | AgentFactory] = Registry("agent", "uniteam.agents", _checked)
 AGENTS.register("baseline", BASELINE)
-AGENTS.register("uniteam", BASELINE.with_improvements(frozenset(Improvement)))
+AGENTS.register("uniteam", improved(BASELINE, (improvement.name for improvement in REPORT)))
 AGENTS.register("random", RandomAgent)
 
 
@@ -94,6 +94,7 @@ def describe_agent(
 ) -> dict[str, Any]:
     """Return everything that an agent's results depend on, as JSON data. Takes and raises what `make_agent` does."""
     code = {name: AGENTS.outside_code(name), perception: PERCEPTIONS.outside_code(perception)}
+    code |= {improvement: IMPROVEMENTS.outside_code(improvement) for improvement in (*with_, *without)}
     return {
         "agent": name,
         "perception": perception,
@@ -109,22 +110,23 @@ def is_told_the_truth(name: str) -> bool:
 
 def _entry(name: str, with_: Iterable[str], without: Iterable[str]) -> AgentConfig | AgentFactory:
     entry = AGENTS.get(name)
-    added, removed = improvements_named(with_), improvements_named(without)
+    added, removed = tuple(with_), tuple(without)
+    for improvement in (*added, *removed):
+        IMPROVEMENTS.get(improvement)
     if not isinstance(entry, AgentConfig) or not (added or removed):
         return entry
-    own = frozenset(Improvement) if name == "uniteam" else frozenset()
-    return BASELINE.with_improvements((own | added) - removed)
+    own = tuple(improvement.name for improvement in REPORT) if name == "uniteam" else ()
+    base = BASELINE if name == "uniteam" else entry
+    return improved(base, [each for each in (*own, *added) if each not in removed])
 
 
 def _call(factory: AgentFactory, context: AgentContext) -> Agent:
     """Give a factory its context if it takes one."""
     try:
-        parameters = inspect.signature(factory).parameters.values()
+        parameters = tuple(inspect.signature(factory).parameters.values())
     except (TypeError, ValueError):  # some built-in callables do not say what they take
         parameters = ()
-    takes_one = any(
-        p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters
-    )
+    takes_one = any(p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters)
     return cast(Callable[..., Agent], factory)(*([context] if takes_one else []))
 
 

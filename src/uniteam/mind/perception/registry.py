@@ -15,8 +15,8 @@ PerceptionFactory = Callable[[], Perception]
 def _checked(name: str, value: object) -> PerceptionFactory:
     if not callable(value):
         raise InvalidInputError(
-            f"perception '{name}' must be a class, or a function without arguments, that makes an object with reset and "
-            f"perceive, got {type(value).__name__}"
+            f"perception '{name}' must be a class, or a function without arguments, that makes an object with reset "
+            f"and perceive, got {type(value).__name__}"
         )
     return cast(PerceptionFactory, value)
 
