@@ -9,7 +9,15 @@ import numpy as np
 from worlds.box_world import CAMERA, RADIUS, Box, cast, clearance, segmentation
 
 from uniteam.geometry import BasePose, PinholeCamera, transform_points
-from uniteam.interface import Action, BaseDisplacement, DiscreteAction, Instruction, JointDisplacement, Observation
+from uniteam.interface import (
+    Action,
+    BaseDisplacement,
+    DiscreteAction,
+    Instruction,
+    JointDisplacement,
+    Joints,
+    Observation,
+)
 from uniteam.mind.skills.skill import Skill
 from uniteam.mind.skills.view import View
 from uniteam.stretch import (

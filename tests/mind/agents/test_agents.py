@@ -252,7 +252,7 @@ def test_what_no_configuration_holds_cannot_be_described() -> None:
         (lambda: needs_truth("thruth"), "truth"),
     ],
 )
-def test_a_misspelt_name_is_answered_with_the_nearest(call, nearest: str) -> None:
+def test_a_misspelt_name_is_answered_with_the_nearest(call: Callable[[], object], nearest: str) -> None:
     with pytest.raises(UnknownNameError, match=f"did you mean '{nearest}'"):
         call()
 
