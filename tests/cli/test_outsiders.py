@@ -24,6 +24,8 @@ cabins = house_guest:cabins
 
 METADATA = "Metadata-Version: 2.1\nName: house-guest\nVersion: 1.5\n"
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -152,6 +154,7 @@ def test_what_cannot_be_used_is_told_in_one_sentence(arguments: tuple[str, ...],
     [
         ("Crasher", "crashed after 2 steps with ValueError: a wheel came off"),
         ("Quitter", "crashed after 2 steps with SystemExit"),
+        ("Mute", "crashed after 0 steps with InvalidInputError: an agent's act must return a Decision, got NoneType"),
         ("Jumper", "crashed after 0 steps with InvalidActionError"),
     ],
 )

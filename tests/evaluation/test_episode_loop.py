@@ -5,7 +5,16 @@ import pytest
 
 from uniteam.evaluation.episode_loop import Step, play_episode, result_of_exception
 from uniteam.geometry import BasePose, PinholeCamera
-from uniteam.interface import Action, Decision, DiscreteAction, Instruction, Joints, Observation
+from uniteam.interface import (
+    Action,
+    Decision,
+    DiscreteAction,
+    Explanation,
+    Instruction,
+    Joints,
+    Observation,
+    Segmentation,
+)
 from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.episode import Candidate, Episode
 from uniteam.world.task.measures import Measures
@@ -84,6 +93,16 @@ class Breaks(Walker):
         return super().act(observation)
 
 
+class Explains(Walker):
+    """Walks, and counts how often it is asked what is behind its decisions."""
+
+    asked_for = 0
+
+    def explain(self) -> Explanation:
+        self.asked_for += 1
+        return Explanation(Segmentation(np.full((6, 4), -1, np.int16), ()))
+
+
 def test_an_episode_ends_when_the_agent_stops_and_says_why_it_failed() -> None:
     agent = Walker(patience=3)
     result = play_episode(Corridor(), agent)
@@ -113,6 +132,17 @@ def test_the_observer_is_shown_each_step_with_what_was_seen_before_and_measured_
     assert [s.measures.num_steps for s in steps] == [1, 2, 3, 4]
     assert [s.decision.state for s in steps] == ["WALK", "WALK", "WALK", "DONE"]
     assert [s.measures.find_object_phase_success for s in steps] == [False, False, True, True]
+    assert all(s.explanation == Explanation() for s in steps)
+
+
+def test_an_agent_is_asked_to_explain_itself_only_where_someone_looks() -> None:
+    agent = Explains(patience=3)
+    play_episode(Corridor(), agent)
+    assert agent.asked_for == 0
+    steps: list[Step] = []
+    play_episode(Corridor(), agent, steps.append)
+    assert agent.asked_for == 4
+    assert all(s.explanation.segmentation is not None for s in steps)
 
 
 def test_a_crash_is_a_failure_in_every_phase_and_keeps_its_traceback() -> None:

@@ -11,16 +11,23 @@ from uniteam.visualization.narration import Narrator
 from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.measures import Measures
 
-NOTHING = Measures()
 CAMERA = PinholeCamera.from_horizontal_fov(4, 6, 1.0)
+FORWARD, TURN = DiscreteAction.MOVE_FORWARD, DiscreteAction.TURN_LEFT
+UNEVENTFUL, BLOCKED = StepEvents(), StepEvents(blocked=True)
+NO_MEASURES = Measures()
 
 
-def step(number: int, x: float, action: Action, state: str = "FIND_OBJECT", measures: Measures = NOTHING) -> Step:
+def step(
+    number: int,
+    action: Action,
+    state: str = "FIND_OBJECT",
+    events: StepEvents = UNEVENTFUL,
+    measures: Measures = NO_MEASURES,
+) -> Step:
     rgb, depth = np.zeros((6, 4, 3), np.uint8), np.zeros((6, 4), np.float32)
-    seen = Observation(rgb, depth, CAMERA, np.eye(4), BasePose(x, 0.0, 0.0), Joints(0.8, 0.0), False, number)
-    return Step(
-        seen, Decision(action, state, "Because."), Explanation(), StepEvents(), replace(measures, num_steps=number + 1)
-    )
+    seen = Observation(rgb, depth, CAMERA, np.eye(4), BasePose(0.0, 0.0, 0.0), Joints(0.8, 0.0), False, number)
+    done = replace(measures, num_steps=number + 1)
+    return Step(seen, Decision(action, state, "Because."), Explanation(), events, done)
 
 
 def told(*steps: Step) -> list[tuple[int, str, str]]:
@@ -32,32 +39,37 @@ def told(*steps: Step) -> list[tuple[int, str, str]]:
 
 
 def test_a_state_is_told_when_it_begins() -> None:
-    forward = DiscreteAction.MOVE_FORWARD
-    steps = [step(0, 0.0, forward), step(1, 0.25, forward), step(2, 0.5, forward, "PICK")]
+    steps = [step(0, FORWARD), step(1, FORWARD), step(2, FORWARD, "PICK")]
     assert told(*steps) == [(0, "state", "FIND_OBJECT: Because."), (2, "state", "PICK: Because.")]
 
 
 def test_a_blocked_drive_is_told_once_until_the_base_moves_again() -> None:
     drive = BaseDisplacement(x=0.3)
-    xs = (0.0, 0.3, 0.3, 0.3, 0.6, 0.6)
-    news = told(*(step(number, x, drive) for number, x in enumerate(xs)))
-    assert [number for number, kind, _ in news if kind == "trouble"] == [2, 5]
+    events = (UNEVENTFUL, BLOCKED, BLOCKED, UNEVENTFUL, BLOCKED)
+    news = told(*(step(number, drive, events=each) for number, each in enumerate(events)))
+    assert [number for number, kind, _ in news if kind == "trouble"] == [1, 4]
 
 
-def test_turning_on_the_spot_is_no_blocked_drive() -> None:
-    turn = DiscreteAction.TURN_LEFT
-    assert len(told(step(0, 0.0, turn), step(1, 0.0, turn), step(2, 0.0, turn))) == 1
+def test_turning_on_the_spot_between_does_not_end_being_blocked() -> None:
+    news = told(step(0, FORWARD, events=BLOCKED), step(1, TURN), step(2, FORWARD, events=BLOCKED))
+    assert [number for number, kind, _ in news if kind == "trouble"] == [0]
 
 
 def test_a_grasp_a_measure_and_a_collision_are_told_when_they_happen() -> None:
     picked = Measures(find_object_phase_success=True, pick_object_phase_success=True)
-    snap = step(1, 0.0, DiscreteAction.SNAP_OBJECT, measures=picked)
-    after = step(2, 0.0, DiscreteAction.NAVIGATION_MODE, measures=replace(picked, robot_scene_colls=1))
-    held = replace(after, observation=replace(after.observation, is_holding=True))
-    assert told(step(0, 0.0, DiscreteAction.TURN_LEFT), snap, held)[1:] == [
+    touched = replace(picked, robot_scene_colls=1)
+    steps = (
+        step(0, TURN),
+        step(1, DiscreteAction.SNAP_OBJECT, events=StepEvents(grasped="toy_car_3"), measures=picked),
+        step(2, DiscreteAction.NAVIGATION_MODE, events=StepEvents(hit="coffee_table_1"), measures=touched),
+        step(3, DiscreteAction.DESNAP_OBJECT, events=StepEvents(released="toy_car_3"), measures=touched),
+    )
+    assert told(*steps)[1:] == [
         (1, "action", "snap object: Because."),
+        (1, "success", "The gripper has grasped toy car 3."),
         (1, "success", "Measure reached: found object."),
         (1, "success", "Measure reached: picked object."),
-        (2, "success", "The gripper holds something."),
-        (2, "trouble", "Arm, gripper or load touched the scene."),
+        (2, "trouble", "Arm, gripper or load touched coffee table 1."),
+        (3, "action", "desnap object: Because."),
+        (3, "success", "The gripper has let go of toy car 3."),
     ]

@@ -132,13 +132,8 @@ def test_the_panel_shows_the_reached_measures_as_lit_lamps() -> None:
 
 
 def test_a_panel_of_an_agent_without_map_and_perception_is_drawn_too() -> None:
-    plain = Step(
-        step().observation,
-        Decision(DiscreteAction.STOP, "RANDOM", "The dice."),
-        Explanation(),
-        StepEvents(),
-        Measures(),
-    )
+    decision = Decision(DiscreteAction.STOP, "RANDOM", "The dice.")
+    plain = Step(step().observation, decision, Explanation(), StepEvents(), Measures())
     panel = draw_panel(PanelContent("random", INSTRUCTION, plain, [], np.zeros((322, 592, 3), np.uint8)))
     assert count(panel, SUCCESS) == 0
 

@@ -44,7 +44,7 @@ class Blindfold:
 
 
 def _impatient(config: AgentConfig) -> AgentConfig:
-    return replace(config, first_turns=1)
+    return replace(config, first_turns=3)
 
 
 careful = Improvement("careful", "does something with care that others do not", _impatient)
@@ -63,6 +63,14 @@ class Crasher(Spinner):
         if observation.step == 2:
             raise ValueError("a wheel came off")
         return super().act(observation)
+
+
+class Mute(Spinner):
+    """Decides nothing."""
+
+    def act(self, observation: Observation) -> Decision:
+        """Return what is no decision."""
+        return None  # type: ignore[return-value]
 
 
 class Quitter(Spinner):

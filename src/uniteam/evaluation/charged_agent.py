@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import TypeVar
 
+from uniteam.errors import InvalidInputError
 from uniteam.evaluation.backends.serving import Charging
 from uniteam.interface import Agent, Decision, Instruction, Observation
 
@@ -36,8 +37,8 @@ class ChargedAgent:
         self._do(lambda: self._agent.reset(instruction, seed))
 
     def act(self, observation: Observation) -> Decision:
-        """Return the decision; raises AgentError."""
-        decision = self._do(lambda: self._agent.act(observation))
+        """Return the decision; raises AgentError, also where it is none."""
+        decision = self._do(lambda: _checked(self._agent.act(observation)))
         self._steps += 1
         return decision
 
@@ -49,3 +50,9 @@ class ChargedAgent:
                 raise
             except (Exception, SystemExit) as error:
                 raise AgentError(self._steps) from error
+
+
+def _checked(decision: object) -> Decision:
+    if not isinstance(decision, Decision):
+        raise InvalidInputError(f"an agent's act must return a Decision, got {type(decision).__name__}")
+    return decision

@@ -9,7 +9,7 @@ from typing import Any
 
 import cv2
 
-from uniteam.errors import InvalidInputError, UniteamError, UnknownNameError
+from uniteam.errors import InvalidActionError, InvalidInputError, UniteamError, UnknownNameError
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.backends.processes import Lost
 from uniteam.evaluation.backends.serving import Charging
@@ -63,7 +63,7 @@ class EpisodePlayer:
     def __call__(self, attempt: Attempt) -> EpisodeResult | Lost:
         """Play an attempt.
 
-        An exception of the agent is its result; an exception of the world, and want of memory, is nothing that the
+        An exception of the agent, or an action that is none, is its result; an exception of the world, and want of memory, is nothing that the
         agent did.
 
         Raises:
@@ -77,6 +77,8 @@ class EpisodePlayer:
             return play_episode(environment, agent)
         except AgentError as error:
             return result_of_exception(episode, error.__cause__ or error, error.steps)
+        except InvalidActionError as error:
+            return result_of_exception(episode, error, environment.measures.num_steps)
         except UniteamError:
             raise
         except MemoryError as error:

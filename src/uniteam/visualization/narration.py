@@ -3,13 +3,9 @@
 from collections.abc import Callable
 
 from uniteam.evaluation.episode_loop import Step
-from uniteam.geometry import BasePose
 from uniteam.interface import BaseDisplacement, DiscreteAction
 from uniteam.visualization.captions import describe_action, new_milestones
 from uniteam.world.task.measures import Measures
-
-STILL = 0.01
-"""A base that was told to drive and moved less than this (m) was blocked."""
 
 _TOLD = (DiscreteAction.SNAP_OBJECT, DiscreteAction.DESNAP_OBJECT, DiscreteAction.STOP)
 
@@ -30,32 +26,31 @@ class Narrator:
     def __call__(self, step: Step) -> None:
         """Tell what is new in a step."""
         number = step.observation.step
-        self._tell_body(step, number)
         if self._before is None or step.decision.state != self._before.decision.state:
             self._say(number, "state", f"{step.decision.state}: {step.decision.reason}")
         elif step.decision.action in _TOLD:
             self._say(number, "action", f"{describe_action(step.decision.action)}: {step.decision.reason}")
+        self._tell_events(step, number)
         self._tell_measures(step, number)
         self._before = step
 
-    def _tell_body(self, step: Step, number: int) -> None:
-        """Tell what the last action came to, as the robot feels it now."""
-        if self._before is None:
-            return
-        was, now = self._before.observation, step.observation
-        if now.is_holding != was.is_holding:
-            self._say(number, "success", "The gripper holds something." if now.is_holding else "The gripper is empty.")
-        blocked = _drives(self._before) and _distance(was.base_to_start, now.base_to_start) < STILL
-        if blocked and not self._blocked:
+    def _tell_events(self, step: Step, number: int) -> None:
+        events = step.events
+        if events.grasped is not None:
+            self._say(number, "success", f"The gripper has grasped {_words(events.grasped)}.")
+        if events.released is not None:
+            self._say(number, "success", f"The gripper has let go of {_words(events.released)}.")
+        if events.blocked and not self._blocked:
             self._say(number, "trouble", "The base was blocked.")
-        self._blocked = blocked or (self._blocked and not _drives(self._before))
+        self._blocked = events.blocked or (self._blocked and not _drives(step))
 
     def _tell_measures(self, step: Step, number: int) -> None:
         before = self._before.measures if self._before is not None else Measures()
         for words in new_milestones(before, step.measures):
             self._say(number, "success", f"Measure reached: {words}.")
         if step.measures.robot_scene_colls > before.robot_scene_colls:
-            self._say(number, "trouble", "Arm, gripper or load touched the scene.")
+            what = "the scene" if step.events.hit is None else _words(step.events.hit)
+            self._say(number, "trouble", f"Arm, gripper or load touched {what}.")
 
 
 def _drives(step: Step) -> bool:
@@ -65,5 +60,5 @@ def _drives(step: Step) -> bool:
     )
 
 
-def _distance(a: BasePose, b: BasePose) -> float:
-    return a.distance_to(b.x, b.y)
+def _words(instance: str) -> str:
+    return instance.replace("_", " ")
