@@ -9,7 +9,7 @@ from uniteam.interface import Instruction
 from uniteam.mind.agents.config import AgentConfig
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.pick.pick import object_of_unknown_size
-from uniteam.mind.manipulation.place.place import PlaceTask
+from uniteam.mind.manipulation.place.place import PlaceContext
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.class_role import RoleScores, role_scores
 from uniteam.mind.navigation.goal import Goal
@@ -68,11 +68,10 @@ class Memory:
             np.random.default_rng(seed),
             BirdsEyeMap(config.map),
             Planner(config.planner),
-            Commitment(config.is_stuck),
+            Commitment(config.is_stuck, config.search.frontier),
             role_scores(instruction),
         )
 
-    def place_task(self) -> PlaceTask:
+    def place_context(self) -> PlaceContext:
         """Return what placing needs to know."""
-        place = self.config.place
-        return PlaceTask(self.load, place.choose_points, place.release, self.generator)
+        return self.config.place.context(self.load, self.generator)

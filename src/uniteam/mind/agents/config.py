@@ -3,17 +3,13 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from uniteam.mind.manipulation.pick.pick import PickConfig, snap_once, trust_the_snap
-from uniteam.mind.manipulation.place.baseline_place import DriveInOneGo, extend_blindly
-from uniteam.mind.manipulation.place.drop_height import FixedDrop
+from uniteam.mind.manipulation.pick.pick import BASELINE_PICK, PickConfig
+from uniteam.mind.manipulation.place.baseline_place import DriveInOneGo, extend_blindly, straight_path
+from uniteam.mind.manipulation.place.drop_height import Release
 from uniteam.mind.manipulation.place.place import PlaceConfig
-from uniteam.mind.manipulation.place.placing_points import densest_slab
+from uniteam.mind.manipulation.place.placing_points import PointRule
 from uniteam.mind.mapping.birds_eye_map import MapConfig
-from uniteam.mind.navigation.goals.exploration import (
-    FIND_OBJECT,
-    FIND_RECEPTACLE,
-    ChooseGoal,
-)
+from uniteam.mind.navigation.goals.exploration import SearchConfig
 from uniteam.mind.navigation.goals.goal_or_frontier import Trail, never_stuck
 from uniteam.mind.navigation.planning.planner import PlannerConfig
 from uniteam.mind.perception.filters import Filter, ScoreFilter, Thresholds
@@ -22,14 +18,13 @@ from uniteam.mind.skills.step_aside import never_step_aside
 
 @dataclass(frozen=True)
 class AgentConfig:
-    """The values and strategies of an agent; `BASELINE` and `UNITEAM` are two of them.
+    """The values and strategies of an agent; `improved` (improvements.py) returns changed ones.
 
     Attributes:
         filters: which detections to believe, one after the other.
         map: how frames become the map.
         planner: how to drive.
-        find_object: what to head for while there is no object in the gripper, in order of preference.
-        find_receptacle: what to head for with the object in the gripper, in order of preference.
+        search: what to head for.
         pick: how to pick.
         place: how to place.
         gives_way: after how many blocked motions in a row to step aside.
@@ -40,8 +35,7 @@ class AgentConfig:
     filters: tuple[Filter, ...]
     map: MapConfig
     planner: PlannerConfig
-    find_object: tuple[ChooseGoal, ...]
-    find_receptacle: tuple[ChooseGoal, ...]
+    search: SearchConfig
     pick: PickConfig
     place: PlaceConfig
     gives_way: Callable[[int], bool] = never_step_aside
@@ -53,11 +47,14 @@ BASELINE = AgentConfig(
     filters=(ScoreFilter(Thresholds.single(0.45)),),
     map=MapConfig(),
     planner=PlannerConfig(),
-    find_object=FIND_OBJECT,
-    find_receptacle=FIND_RECEPTACLE,
-    pick=PickConfig(bring_into_view=snap_once, is_grasped=trust_the_snap),
+    search=SearchConfig(),
+    pick=BASELINE_PICK,
     place=PlaceConfig(
-        choose_points=densest_slab, close_in=DriveInOneGo(), release=FixedDrop(), fall_back=extend_blindly
+        choose_points=PointRule(),
+        close_in=DriveInOneGo(),
+        find_path=straight_path,
+        release=Release(),
+        fall_back=extend_blindly,
     ),
 )
 """HomeRobot's heuristic agent (arXiv 2306.11565)."""

@@ -1,25 +1,34 @@
-"""The named changes that make UniTeam out of the baseline (the UniTeam report, arXiv 2312.08611)."""
+"""The named changes of the baseline, each of which can be switched on and off: the UniTeam report's, and those beyond.
+
+An improvement puts something in the place of what the baseline does there. Where a configuration does something else
+there already, the improvement does not fit, and says so. All that are built in change different places, so any set of
+them gives one configuration, whatever the order.
+"""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from typing import Any
 
-from uniteam.errors import InvalidInputError
-from uniteam.mind.agents.config import AgentConfig
+from uniteam.errors import InvalidInputError, UniteamError
+from uniteam.mind.agents.config import BASELINE, AgentConfig
+from uniteam.mind.manipulation.arm_reach import LEVEL_WRIST
 from uniteam.mind.manipulation.pick.look_around_pick import LookAround
-from uniteam.mind.manipulation.pick.pick import feel_the_gripper
-from uniteam.mind.manipulation.place.drop_height import DropClear
-from uniteam.mind.manipulation.place.edge_margin import SafeFromEdges
+from uniteam.mind.manipulation.pick.reach_out_pick import ReachOut
+from uniteam.mind.manipulation.pick.tilt_head import TiltHead
+from uniteam.mind.manipulation.pick.verify_pick import feel_the_gripper
+from uniteam.mind.manipulation.place.checked_arm_path import CheckedArmPath
+from uniteam.mind.manipulation.place.drop_height import LOW_DROP, ClearSurface
+from uniteam.mind.manipulation.place.edge_margin import EDGE_SAMPLES, EdgeMargin
+from uniteam.mind.manipulation.place.flat_ground import FlatGround
+from uniteam.mind.manipulation.place.headroom import points_with_headroom
 from uniteam.mind.manipulation.place.stepwise_place import CloseInStepwise
 from uniteam.mind.manipulation.place.surface_fallback import OntoFlatSurface
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
-from uniteam.mind.navigation.goals.exploration import (
-    goal_receptacle,
-    start_receptacle_not_been_close,
-)
 from uniteam.mind.navigation.goals.goal_or_frontier import StuckDetector
 from uniteam.mind.navigation.goals.receptacle_probability import MostProbableReceptacle
 from uniteam.mind.navigation.goals.surround_start_receptacle import SurroundStartReceptacle
 from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING
+from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.step_aside import BlockedOften
@@ -27,14 +36,18 @@ from uniteam.registry import Registry
 from uniteam.stretch import DEPTH_RANGE
 
 
+class ImprovementError(UniteamError):
+    """An improvement that does not fit the configuration it is applied to."""
+
+
 @dataclass(frozen=True)
 class Improvement:
-    """One change of a configuration, which can be switched on and off by its name.
+    """One change of a configuration.
 
     Attributes:
-        name: by which it is asked for.
-        summary: what changes, in one line.
-        apply: from a configuration to the improved one.
+        name: by which it is switched on and off.
+        summary: what changes, in half a sentence.
+        apply: returns the changed configuration; raises ImprovementError where it does not fit.
     """
 
     name: str
@@ -42,32 +55,79 @@ class Improvement:
     apply: Callable[[AgentConfig], AgentConfig]
 
 
-def _checked(name: str, value: object) -> Improvement:
-    if isinstance(value, Improvement):
-        return value
-    raise InvalidInputError(f"improvement '{name}' must be an Improvement, got {type(value).__name__}")
+def improved(config: AgentConfig, improvements: Iterable[str | Improvement]) -> AgentConfig:
+    """Return a configuration with improvements, given as values, names or references, each applied once.
 
-
-IMPROVEMENTS: Registry[Improvement] = Registry("improvement", "uniteam.improvements", _checked)
-
-
-def improved(config: AgentConfig, names: Iterable[str]) -> AgentConfig:
-    """Return a configuration with some improvements: built-in ones in the order in which they are defined, then others.
+    The built-in ones are applied first, in their order; then the others in the order of their names.
 
     Raises:
-        UnknownNameError: an improvement that there is none of, with the nearest valid name.
-        InvalidInputError: an improvement that makes something else of a configuration.
+        UnknownNameError: there is none of a name; the message offers the nearest.
+        ImprovementError: one that does not fit, or makes something else than a configuration.
     """
-    wanted = dict.fromkeys(names)
-    chosen = {name: IMPROVEMENTS.get(name) for name in wanted}
-    ordered = [improvement.name for improvement in REPORT if improvement.name in chosen]
-    for name in (*ordered, *(name for name in chosen if name not in ordered)):
-        config = chosen[name].apply(config)
+    given = (i if isinstance(i, Improvement) else IMPROVEMENTS.get(i) for i in improvements)
+    chosen = {improvement.name: improvement for improvement in given}
+    for improvement in sorted(chosen.values(), key=_place_in_order):
+        config = improvement.apply(config)
         if not isinstance(config, AgentConfig):
-            raise InvalidInputError(
-                f"improvement '{name}' must return an AgentConfig, but returned {type(config).__name__}"
+            raise ImprovementError(
+                f"improvement '{improvement.name}' must return an AgentConfig, but returned {type(config).__name__}"
             )
     return config
+
+
+def _place_in_order(improvement: Improvement) -> tuple[int, str]:
+    built_in = [other.name for other in (*REPORT, *BEYOND)]
+    return built_in.index(improvement.name) if improvement.name in built_in else len(built_in), improvement.name
+
+
+@dataclass(frozen=True)
+class Replacement:
+    """Puts values in the place of the baseline's.
+
+    Attributes:
+        name: of the improvement, for the error's sentence.
+        slots: each a path of fields through the configuration ("search.approach"), and what is put there.
+    """
+
+    name: str
+    slots: tuple[tuple[str, object], ...]
+
+    def __call__(self, config: AgentConfig) -> AgentConfig:
+        """Return the changed configuration; raises ImprovementError where a slot holds something else."""
+        for path, ours in self.slots:
+            self._check(path, config)
+            config = _filled(config, path.split("."), ours)
+        return config
+
+    def _check(self, path: str, config: AgentConfig) -> None:
+        held, theirs = _held(config, path), _held(BASELINE, path)
+        if held != theirs:
+            raise ImprovementError(
+                f"improvement '{self.name}' replaces the baseline's '{path}' ({_words(theirs)}), but this "
+                f"configuration has {_words(held)} there; leave the improvement out"
+            )
+
+
+def _held(config: AgentConfig, path: str) -> object:
+    part: object = config
+    for slot in path.split("."):
+        part = getattr(part, slot, None)
+    return part
+
+
+def _filled(part: Any, path: list[str], ours: object) -> Any:
+    slot, *rest = path
+    return replace(part, **{slot: _filled(getattr(part, slot), rest, ours) if rest else ours})
+
+
+def _words(value: object) -> str:
+    return str(getattr(value, "__qualname__", value))
+
+
+def _replacing(name: str, summary: str, **slots: object) -> Improvement:
+    """Return the improvement that fills slots; in their paths "__" stands for a dot."""
+    paths = ((path.replace("__", "."), ours) for path, ours in slots.items())
+    return Improvement(name, summary, Replacement(name, tuple(paths)))
 
 
 UNITEAM_THRESHOLDS = Thresholds(
@@ -77,142 +137,144 @@ UNITEAM_THRESHOLDS = Thresholds(
 
 
 def _class_thresholds(config: AgentConfig) -> AgentConfig:
-    others = tuple(f for f in config.filters if not isinstance(f, ScoreFilter))
-    return replace(config, filters=(ScoreFilter(UNITEAM_THRESHOLDS), *others))
+    if any(f not in config.filters for f in BASELINE.filters):
+        raise ImprovementError(
+            "improvement 'class_thresholds' replaces the baseline's one threshold for all classes, which this "
+            "configuration does not have; leave the improvement out"
+        )
+    ours = ScoreFilter(UNITEAM_THRESHOLDS)
+    return replace(config, filters=tuple(ours if f in BASELINE.filters else f for f in config.filters))
 
 
 def _floor_filter(config: AgentConfig) -> AgentConfig:
+    if any(isinstance(f, FloorFilter) for f in config.filters):
+        raise ImprovementError(
+            "improvement 'floor_filter' adds a FloorFilter, which this configuration has already; leave the "
+            "improvement out"
+        )
     return replace(config, filters=(*config.filters, FloorFilter()))
 
 
-def _goal_or_frontier(config: AgentConfig) -> AgentConfig:
-    return replace(config, is_stuck=StuckDetector(), gives_way=BlockedOften())
+def _true_radius(config: AgentConfig) -> AgentConfig:
+    dilations = true_radius(config.map.cell_size)
+    return Replacement("true_radius", (("planner.dilations", dilations),))(config)
 
 
-def _surround_start_receptacle(config: AgentConfig) -> AgentConfig:
-    around = SurroundStartReceptacle()
-    choices = tuple(around if c is start_receptacle_not_been_close else c for c in config.find_object)
-    return replace(config, find_object=choices)
-
-
-def _receptacle_probability(config: AgentConfig) -> AgentConfig:
-    probable = MostProbableReceptacle()
-    choices = tuple(probable if c is goal_receptacle else c for c in config.find_receptacle)
-    return replace(config, find_receptacle=choices)
-
-
-def _early_goal_memory(config: AgentConfig) -> AgentConfig:
-    to_object, to_start, _ = config.map.class_depths
-    return replace(config, map=replace(config.map, class_depths=(to_object, to_start, DEPTH_RANGE)))
-
-
-def _centre_approach(config: AgentConfig) -> AgentConfig:
-    receptacle, *others = config.find_receptacle
-    return replace(config, find_receptacle=(CentreApproach(receptacle), *others))
-
-
-def _collision_mapping(config: AgentConfig) -> AgentConfig:
-    """Keep collisions, and plan with what they teach: a base of 0.3 m asks for six cells, not for three."""
-    return replace(config, planner=replace(config.planner, collisions=COLLISION_MAPPING, dilations=(6, 5, 4, 3, 2, 1)))
-
-
-def _look_around_pick(config: AgentConfig) -> AgentConfig:
-    return replace(config, pick=replace(config.pick, bring_into_view=LookAround()))
-
-
-def _verify_pick(config: AgentConfig) -> AgentConfig:
-    return replace(config, pick=replace(config.pick, is_grasped=feel_the_gripper))
-
-
-def _stepwise_place(config: AgentConfig) -> AgentConfig:
-    return replace(config, place=replace(config.place, close_in=CloseInStepwise(), attempts=4))
-
-
-def _edge_margin(config: AgentConfig) -> AgentConfig:
-    return replace(config, place=replace(config.place, choose_points=SafeFromEdges()))
-
-
-def _surface_fallback(config: AgentConfig) -> AgentConfig:
-    return replace(config, place=replace(config.place, fall_back=OntoFlatSurface()))
-
-
-def _drop_height(config: AgentConfig) -> AgentConfig:
-    return replace(config, place=replace(config.place, release=DropClear()))
-
-
-REPORT = (
-    Improvement(
-        "class_thresholds",
-        "a confidence threshold for each kind of class in place of one",
-        _class_thresholds,
-    ),
-    Improvement(
-        "floor_filter",
-        "receptacles and objects detected at floor level are dropped",
-        _floor_filter,
-    ),
-    Improvement(
+REPORT: tuple[Improvement, ...] = (
+    Improvement("class_thresholds", "a confidence threshold for each kind of class in place of one", _class_thresholds),
+    Improvement("floor_filter", "receptacles and objects detected at floor level are dropped", _floor_filter),
+    _replacing(
         "goal_or_frontier",
-        "when progress stalls, the frontier is chosen over an unreachable goal; blocked often, the robot steps aside",
-        _goal_or_frontier,
+        "when progress stalls or the robot oscillates, the frontier is chosen over the goal",
+        is_stuck=StuckDetector(),
     ),
-    Improvement(
+    _replacing(
         "surround_start_receptacle",
         "each start receptacle is looked at from several sides",
-        _surround_start_receptacle,
+        search__start_receptacle=SurroundStartReceptacle(),
     ),
-    Improvement(
+    _replacing(
         "receptacle_probability",
-        "the map keeps probabilities; the most probable reachable receptacle is chosen, not the nearest",
-        _receptacle_probability,
+        "the map's most probable reachable goal receptacle is chosen, not the nearest",
+        search__goal_receptacle=MostProbableReceptacle(),
     ),
-    Improvement(
+    _replacing(
         "early_goal_memory",
-        "goal receptacles seen on the way to the object are remembered",
-        _early_goal_memory,
+        "goal receptacles seen from afar on the way to the object are remembered",
+        map__class_depths=(*BASELINE.map.class_depths[:2], DEPTH_RANGE),
     ),
-    Improvement(
+    _replacing(
         "collision_mapping",
-        "a collision is written into the map and stays, and paths keep the base's true radius where they can",
-        _collision_mapping,
+        "a collision is written into the obstacle map and stays, and planning uses it",
+        planner__collisions=COLLISION_MAPPING,
     ),
-    Improvement(
+    _replacing(
         "centre_approach",
-        "the robot ends near the centre of the receptacle's side, facing it",
-        _centre_approach,
+        "the robot ends near the centre of the goal receptacle's side, facing it",
+        search__approach=CentreApproach(),
     ),
-    Improvement(
+    _replacing(
         "look_around_pick",
-        "when the object is not in view at the pick, the robot turns and tries again",
-        _look_around_pick,
+        "when the object is not in view at the pick, the robot turns left and right before it snaps",
+        pick__look_around=LookAround(),
     ),
-    Improvement(
-        "verify_pick",
-        "a failed grasp is felt, and other places are tried",
-        _verify_pick,
-    ),
-    Improvement(
+    _replacing("verify_pick", "a failed grasp is felt, and other places are tried", pick__is_grasped=feel_the_gripper),
+    _replacing(
         "stepwise_place",
         "the robot closes in on the receptacle in small steps, measuring again each time",
-        _stepwise_place,
+        place__close_in=CloseInStepwise(),
     ),
-    Improvement(
+    _replacing(
         "edge_margin",
         "the placing point keeps away from the receptacle's edges",
-        _edge_margin,
+        place__choose_points__samples=EDGE_SAMPLES,
+        place__choose_points__weigh=EdgeMargin(),
     ),
-    Improvement(
+    _replacing(
         "surface_fallback",
         "with the receptacle out of sight, a flat surface in reach is used",
-        _surface_fallback,
+        place__fall_back=OntoFlatSurface(),
     ),
-    Improvement(
+    _replacing(
         "drop_height",
-        "with the wrist level, the object is released high enough to clear the receptacle",
-        _drop_height,
+        "a large object is released high enough to clear the receptacle",
+        place__release__height_for=ClearSurface(),
     ),
 )
-"""The fourteen improvements of the report, in the order in which they are applied."""
+"""The fourteen of the UniTeam report (arXiv 2312.08611), as it describes them."""
 
-for _improvement in REPORT:
+BEYOND: tuple[Improvement, ...] = (
+    _replacing("step_aside", "blocked again and again, the robot steps aside at random", gives_way=BlockedOften()),
+    Improvement("true_radius", "paths keep the base's true radius from obstacles where they can", _true_radius),
+    _replacing(
+        "tilt_head",
+        "when the object is not in view at the pick, the head looks up and down for it",
+        pick__tilt_head=TiltHead(),
+    ),
+    _replacing(
+        "reach_out_pick",
+        "an object in view beyond reach is driven to, and the arm lifted and extended to it",
+        pick__reach_out=ReachOut(),
+    ),
+    _replacing(
+        "headroom",
+        "placing points have room above them, so walls, fronts and flanks are none",
+        place__choose_points__candidates=points_with_headroom,
+    ),
+    _replacing(
+        "flat_ground",
+        "placing points with level ground around them are preferred",
+        place__choose_points__bonus=FlatGround(),
+    ),
+    _replacing(
+        "checked_arm_path",
+        "the arm takes only paths on which it touches nothing seen, from higher up where it must",
+        place__find_path=CheckedArmPath(),
+    ),
+    _replacing(
+        "more_attempts",
+        "where nothing can be placed, the robot tries up to four places before it lets go",
+        place__attempts=4,
+    ),
+    _replacing(
+        "level_wrist",
+        "the object is released with the wrist level, from which the gripper gets farther and higher",
+        place__release__wrist_pitch=LEVEL_WRIST,
+    ),
+    _replacing("low_drop", "a small object is released close above the surface", place__release__least_height=LOW_DROP),
+)
+"""What uniteam does beyond the report."""
+
+
+def _checked(name: str, value: object) -> Improvement:
+    if not isinstance(value, Improvement):
+        raise InvalidInputError(
+            f"improvement '{name}' must be an uniteam.mind.agents.improvements.Improvement(name, summary, apply), "
+            f"got {type(value).__name__}"
+        )
+    return value
+
+
+IMPROVEMENTS: Registry[Improvement] = Registry("improvement", "uniteam.improvements", _checked)
+for _improvement in (*REPORT, *BEYOND):
     IMPROVEMENTS.register(_improvement.name, _improvement)

@@ -10,7 +10,7 @@ from uniteam.interface import Agent, Body, Perception
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
-from uniteam.mind.agents.improvements import IMPROVEMENTS, REPORT, improved
+from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, improved
 from uniteam.mind.agents.random_agent import RandomAgent
 from uniteam.mind.perception.registry import PERCEPTIONS, make_perception
 from uniteam.registry import Registry
@@ -51,8 +51,12 @@ def _checked(name: str, value: object) -> AgentConfig | AgentFactory:
 
 AGENTS: Registry[AgentConfig | AgentFactory] = Registry("agent", "uniteam.agents", _checked)
 AGENTS.register("baseline", BASELINE)
-AGENTS.register("uniteam", improved(BASELINE, (improvement.name for improvement in REPORT)))
+AGENTS.register("uniteam", improved(BASELINE, REPORT))
+AGENTS.register("uniteam-plus", improved(BASELINE, (*REPORT, *BEYOND)))
 AGENTS.register("random", RandomAgent)
+
+_OWN = {"uniteam": REPORT, "uniteam-plus": (*REPORT, *BEYOND)}
+"""The improvements that built-in agents have, which can be taken away from them."""
 
 
 def make_agent(
@@ -115,8 +119,8 @@ def _entry(name: str, with_: Iterable[str], without: Iterable[str]) -> AgentConf
         IMPROVEMENTS.get(improvement)
     if not isinstance(entry, AgentConfig) or not (added or removed):
         return entry
-    own = tuple(improvement.name for improvement in REPORT) if name == "uniteam" else ()
-    base = BASELINE if name == "uniteam" else entry
+    own = [improvement.name for improvement in _OWN.get(name, ())]
+    base = BASELINE if name in _OWN else entry
     return improved(base, [each for each in (*own, *added) if each not in removed])
 
 

@@ -107,8 +107,8 @@ def _turn_to_face(goal: Goal, memory: Memory, base: BasePose) -> Action | None:
 
 def _choices(search: Search, memory: Memory) -> tuple[tuple[ChooseGoal, ...], Misses]:
     if search is OBJECT_SEARCH:
-        return memory.config.find_object, memory.object_misses
-    return memory.config.find_receptacle, memory.place_misses
+        return memory.config.search.for_object(), memory.object_misses
+    return memory.config.search.for_receptacle(), memory.place_misses
 
 
 def _look_again(memory: Memory, misses: Misses) -> tuple[Step | None, Finding]:

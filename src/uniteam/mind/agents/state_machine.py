@@ -100,7 +100,7 @@ def place_object(memory: Memory, view: View) -> Move:
     def begin() -> Skill[bool]:
         memory.attempt = Miss(view.observation.base_to_start, faced_point(view, ClassRole.GOAL_RECEPTACLE))
         is_last = memory.place_misses.count + 1 >= memory.config.place.attempts
-        return place(view, memory.place_task(), memory.config.place, is_last)
+        return place(view, memory.place_context(), memory.config.place, is_last)
 
     step, is_placed = _carry_on(memory, view, begin)
     if step is not None:

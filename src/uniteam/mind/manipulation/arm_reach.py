@@ -9,11 +9,11 @@ from uniteam.stretch import JOINT_LIMITS, gripper_to_base
 HANGING_WRIST = -1.5
 """rad; the gripper points to the floor, as in the postures of navigation and manipulation."""
 LEVEL_WRIST = 0.0
-"""rad; the gripper points along the arm, which reaches farther and higher."""
+"""rad; the gripper points along the arm, which reaches farther and higher (`level_wrist`)."""
 
 
 @dataclass(frozen=True)
-class Reach:
+class ArmReach:
     """How far and how high the gripper gets with the wrist at one pitch.
 
     Attributes:
@@ -29,10 +29,10 @@ class Reach:
     low: float
 
     @staticmethod
-    def of_wrist(wrist_pitch: float) -> "Reach":
+    def of_wrist(wrist_pitch: float) -> "ArmReach":
         """Return the reach with the wrist at this pitch (rad)."""
         x, y, z = gripper_to_base(Joints(lift=0.0, arm=0.0, wrist_pitch=wrist_pitch))[:3, 3]
-        return Reach(wrist_pitch, float(x), -float(y), float(z))
+        return ArmReach(wrist_pitch, float(x), -float(y), float(z))
 
     @property
     def far(self) -> float:
@@ -61,6 +61,10 @@ class Reach:
     def distance_to(self, x: float, y: float) -> float:
         """Return how far (m) to the base's right (x, y) is once the base has turned by `turn_to`."""
         return math.sqrt(max(x * x + y * y - self.side * self.side, 0.0))
+
+    def reaches(self, x: float, y: float) -> bool:
+        """Return whether the gripper gets over (x, y) (m, base frame) once the base has turned by `turn_to`."""
+        return self.near <= self.distance_to(x, y) <= self.far
 
     def over(self, joints: Joints, distance: float, height: float) -> Joints:
         """Return `joints` with lift, arm and wrist changed so that the gripper is there."""

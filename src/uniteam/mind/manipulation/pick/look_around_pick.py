@@ -1,136 +1,28 @@
-"""Looking around at the pick: what to do when the object is not where the arm points, or not within its reach."""
+"""Looking around at the pick: what to do when the object is not where the arm points (`look_around_pick`)."""
 
 import math
-from dataclasses import dataclass, field, replace
-from itertools import product
+from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-from uniteam.interface import DiscreteAction
-from uniteam.mind.manipulation.arm_clearance import EMPTY_GRIPPER, SweepConfig
-from uniteam.mind.manipulation.arm_path import ArmPath, is_path_free
-from uniteam.mind.manipulation.arm_reach import Reach
-from uniteam.mind.manipulation.pick.pick import load_seen, object_points
-from uniteam.mind.skills.skill import (
-    LONGEST_DRIVE,
-    SMALLEST_DRIVE,
-    SMALLEST_TURN,
-    Skill,
-    discrete,
-    drive,
-    move_joints,
-    turn,
-)
+from uniteam.mind.manipulation.pick.pick import object_points
+from uniteam.mind.skills.skill import Skill, turn
 from uniteam.mind.skills.view import View
-from uniteam.stretch import gripper_to_base
-
-GROUND_CLEARANCE = 0.05
-"""m; what hangs in the gripper keeps so far from the floor."""
 
 
 @dataclass(frozen=True)
 class LookAround:
-    """Turns left and right until the object is in view, then brings the gripper within reach of it.
+    """Turns left and right until the object is in view.
 
     Attributes:
-        tilts: of the head, tried before the base turns (rad): a high object is above the picture, a low one below.
         turns: of the whole base, one after the other (rad).
-        reach: how far (m) from the grasp centre the object's middle may be.
-        approaches: how often the robot drives closer at most.
-        extensions: of the arm, tried in this order where the base cannot get closer (m).
-        heights: of the grasp centre above the object's top when the arm is extended, tried in this order (m).
-        sweep: the room the arm takes.
     """
 
-    tilts: tuple[float, ...] = (math.radians(-22.0), math.radians(-68.0))
     turns: tuple[float, ...] = tuple(math.radians(degrees) for degrees in (30, 30, -90, -30))
-    reach: float = 0.74
-    approaches: int = 3
-    extensions: tuple[float, ...] = (0.1, 0.2, 0.3, 0.4, 0.52)
-    heights: tuple[float, ...] = (0.06, 0.16, 0.3)
-    sweep: SweepConfig = field(default_factory=SweepConfig)
 
     def __call__(self, view: View) -> Skill[View]:
-        """Answer with the view from which to snap."""
-        view = yield from self._search(view)
-        for _ in range(self.approaches):
-            view = yield from self._lift_gripper(view)
-            if self._shortfall(view) <= 0.0:
-                return view
-            before = view.observation.base_to_start
-            view = yield from self._drive_closer(view)
-            now = view.observation.base_to_start
-            if before.distance_to(now.x, now.y) < SMALLEST_DRIVE / 2:
-                break
-        return (yield from self._reach_out(view))
-
-    def _search(self, view: View) -> Skill[View]:
-        at_first = view.observation.joints
-        for tilt in (*self.tilts, at_first.head_tilt):
-            if len(object_points(view)):
-                break
-            target = replace(view.observation.joints, head_tilt=tilt)
-            view = yield from move_joints(view, target, "The object is not in view of the arm; I tilt the head.")
+        """Answer with the first view of the object, or with the last view."""
         for angle in self.turns:
             if len(object_points(view)):
                 break
             side = "left" if angle > 0 else "right"
             view = yield turn(angle, f"The object is not in view of the arm; I look further to the {side}.")
         return view
-
-    def _lift_gripper(self, view: View) -> Skill[View]:
-        """Bring the gripper to the object's height while the arm is retracted, where it touches nothing."""
-        if self._shortfall(view) <= 0.0:
-            return view
-        joints = view.observation.joints
-        height = max(float(_middle(view)[2]), load_seen(view).below + GROUND_CLEARANCE)
-        target = replace(joints, lift=Reach.of_wrist(joints.wrist_pitch).lift_for(height))
-        return (yield from move_joints(view, target, "I bring the gripper to the object's height."))
-
-    def _reach_out(self, view: View) -> Skill[View]:
-        """Extend the arm over what is in between, as little as brings the object within reach and touches nothing."""
-        if self._shortfall(view) <= 0.0:
-            return view
-        joints, load, points = view.observation.joints, load_seen(view), object_points(view)
-        reach = Reach.of_wrist(joints.wrist_pitch)
-        surroundings = view.surroundings()
-        everything = np.concatenate([surroundings, points])
-        for arm, above in product(self.extensions, self.heights):
-            height = float(points[:, 2].max()) + above
-            end = replace(joints, lift=reach.lift_for(height), arm=arm)
-            path = ArmPath((replace(joints, lift=end.lift), end))
-            if float(np.linalg.norm(_middle(view) - gripper_to_base(end)[:3, 3])) > self.reach:
-                continue
-            is_way_free = is_path_free(path, everything, EMPTY_GRIPPER, self.sweep)
-            if is_way_free and is_path_free(path, surroundings, load, self.sweep):
-                for station in path.stations:
-                    view = yield from move_joints(
-                        view, station, "The object is beyond reach, so I extend the arm over it."
-                    )
-                break
-        return view
-
-    def _drive_closer(self, view: View) -> Skill[View]:
-        """Turn to the object, drive towards it and point the arm at it again."""
-        x, y, _ = _middle(view)
-        bearing = math.remainder(math.atan2(y, x) + math.pi / 2, 2 * math.pi)
-        distance = min(max(self._shortfall(view), SMALLEST_DRIVE), LONGEST_DRIVE)
-        view = yield discrete(DiscreteAction.NAVIGATION_MODE, "The object is beyond reach, so I drive closer.")
-        if abs(bearing) >= SMALLEST_TURN:
-            view = yield turn(bearing, "I turn to the object.")
-        view = yield drive(distance, f"I drive {distance:.2f} m closer to the object.")
-        return (yield discrete(DiscreteAction.MANIPULATION_MODE, "I point the arm at the object again."))
-
-    def _shortfall(self, view: View) -> float:
-        """Return how far (m) the object is beyond reach; 0 where it is not in view."""
-        if len(object_points(view)) == 0:
-            return 0.0
-        gripper = gripper_to_base(view.observation.joints)[:3, 3]
-        return max(0.0, float(np.linalg.norm(_middle(view) - gripper)) - self.reach)
-
-
-def _middle(view: View) -> NDArray[np.float64]:
-    """Return (3,) the middle (m, base frame) of what is seen of the object."""
-    low, high = np.percentile(object_points(view), (2, 98), axis=0)
-    return np.asarray((low + high) / 2)

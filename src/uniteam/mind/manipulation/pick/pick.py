@@ -13,7 +13,7 @@ from uniteam.mind.skills.skill import Skill, discrete, move_joints
 from uniteam.mind.skills.view import Points, View
 from uniteam.stretch import gripper_to_base
 
-Search = Callable[[View], Skill[View]]
+Prepare = Callable[[View], Skill[View]]
 """What is done between standing in manipulation mode and snapping; answers with the last view."""
 GraspCheck = Callable[[View], bool]
 """Whether the view after the snap says that it was a success."""
@@ -21,14 +21,18 @@ GraspCheck = Callable[[View], bool]
 
 @dataclass(frozen=True)
 class PickConfig:
-    """The strategies of picking; the defaults are those of HomeRobot's heuristic baseline (arXiv 2306.11565).
+    """The strategies of picking; `BASELINE_PICK` holds those of HomeRobot's heuristic baseline (arXiv 2306.11565).
 
     Attributes:
-        bring_into_view: what is done before the snap.
+        tilt_head: how the head looks for the object.
+        look_around: how the base then looks for it.
+        reach_out: how the gripper is then brought within reach of it.
         is_grasped: how the snap is judged.
     """
 
-    bring_into_view: Search
+    tilt_head: Prepare
+    look_around: Prepare
+    reach_out: Prepare
     is_grasped: GraspCheck
 
 
@@ -50,7 +54,8 @@ def pick(view: View, config: PickConfig) -> Skill[PickResult]:
     name = view.instruction.object_category.replace("_", " ")
     seen_before = load_seen(view)
     view = yield discrete(DiscreteAction.MANIPULATION_MODE, f"I stand at the {name} and point the arm at it.")
-    view = yield from config.bring_into_view(view)
+    for prepare in (config.tilt_head, config.look_around, config.reach_out):
+        view = yield from prepare(view)
     load = seen_before.enclosing(load_seen(view))
     view = yield discrete(DiscreteAction.SNAP_OBJECT, f"I snap at the {name}.")
     grasped = config.is_grasped(view)
@@ -60,8 +65,8 @@ def pick(view: View, config: PickConfig) -> Skill[PickResult]:
     return PickResult(grasped, load)
 
 
-def snap_once(view: View) -> Skill[View]:
-    """Do nothing before the snap."""
+def do_nothing(view: View) -> Skill[View]:
+    """Leave everything as it is."""
     yield from ()
     return view
 
@@ -71,9 +76,8 @@ def trust_the_snap(view: View) -> bool:
     return True
 
 
-def feel_the_gripper(view: View) -> bool:
-    """Believe what the gripper feels."""
-    return view.observation.is_holding
+BASELINE_PICK = PickConfig(do_nothing, do_nothing, do_nothing, trust_the_snap)
+"""Snap once, and go on as if it had succeeded."""
 
 
 def object_points(view: View) -> Points:

@@ -1,46 +1,54 @@
-"""How high above the surface, and with the wrist at which pitch, the gripper lets go."""
+"""How high above the surface, and with the wrist at which pitch, the gripper lets go (`drop_height`, `low_drop`)."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from uniteam.mind.manipulation.arm_clearance import Load
-from uniteam.mind.manipulation.arm_reach import HANGING_WRIST, LEVEL_WRIST, Reach
+from uniteam.mind.manipulation.arm_reach import HANGING_WRIST, ArmReach
+
+LOW_DROP = 0.15
+"""m; from here a thing falls without tipping over, and a noisy surface is not touched."""
+
+
+def whatever_its_size(load: Load) -> float:
+    """Return the same height for whatever is held, as in the baseline."""
+    return 0.0
 
 
 @dataclass(frozen=True)
-class FixedDrop:
-    """The gripper hangs from the wrist and lets go at one height above the surface, whatever it holds.
-
-    Attributes:
-        height: of the grasp centre above the surface (m), where the lift gets so high.
-    """
-
-    height: float = 0.4
-    wrist_pitch: float = HANGING_WRIST
-
-    def height_above_surface(self, load: Load) -> float:
-        """Return how high the grasp centre should be above the surface (m)."""
-        return self.height
-
-
-@dataclass(frozen=True)
-class DropClear:
-    """The gripper is level with the arm, which lifts it higher, and lets go where what hangs in it clears the surface.
+class ClearSurface:
+    """Keeps the lowest part of what is held above the surface, however far it hangs down.
 
     Attributes:
         clearance: between the surface and the lowest part of what is held (m).
     """
 
     clearance: float = 0.15
-    wrist_pitch: float = LEVEL_WRIST
 
-    def height_above_surface(self, load: Load) -> float:
-        """Return how high the grasp centre should be above the surface (m)."""
+    def __call__(self, load: Load) -> float:
+        """Return how high the grasp centre must be above the surface (m)."""
         return load.below + self.clearance
 
 
-ReleaseRule = FixedDrop | DropClear
+@dataclass(frozen=True)
+class Release:
+    """How the gripper lets go; the defaults are those of HomeRobot's heuristic baseline (arXiv 2306.11565).
 
+    Attributes:
+        wrist_pitch: rad.
+        least_height: of the grasp centre above the surface (m), where the lift gets so high.
+        height_for: how high it must be at least for what is held (m).
+    """
 
-def reach_of(rule: ReleaseRule) -> Reach:
-    """Return the gripper's reach with the wrist as the rule wants it."""
-    return Reach.of_wrist(rule.wrist_pitch)
+    wrist_pitch: float = HANGING_WRIST
+    least_height: float = 0.4
+    height_for: Callable[[Load], float] = whatever_its_size
+
+    def height_above_surface(self, load: Load) -> float:
+        """Return how high the grasp centre should be above the surface (m)."""
+        return max(self.least_height, self.height_for(load))
+
+    @property
+    def reach(self) -> ArmReach:
+        """The gripper's reach with the wrist at this pitch."""
+        return ArmReach.of_wrist(self.wrist_pitch)

@@ -1,4 +1,4 @@
-"""Placing points that keep away from the edges of what they lie on."""
+"""Placing points that keep away from the edges of what they lie on (`edge_margin`)."""
 
 from dataclasses import dataclass
 
@@ -7,19 +7,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.mind.manipulation.arm_clearance import Load
-from uniteam.mind.manipulation.place.flat_surfaces import CELL, RISE, level_points
-from uniteam.mind.manipulation.place.placing_points import PlacingPoints
+from uniteam.mind.manipulation.place.headroom import CELL, RISE
 from uniteam.mind.skills.view import Points
 
-FLATNESS_WORTH = 0.05
-"""m of distance from the edge that it is worth to have level ground all around."""
-FLATNESS_RADIUS = 0.1
-"""m."""
+EDGE_SAMPLES = 150
+"""How many points to weigh: three times the baseline's, since what is sought is a place and no longer a crowd."""
+BEYOND_MARGIN = 0.1
+"""What a metre from the edge beyond the margin is worth: enough to decide between points that all have the margin."""
 
 
 @dataclass(frozen=True)
-class SafeFromEdges:
-    """Points on which a thing can stand, worth their distance from where the surface ends.
+class EdgeMargin:
+    """Weighs points by their distance from where the surface ends.
 
     A surface ends where nothing of the receptacle is seen that is as high: at its edge, and at what lies on it. A back,
     a rim or a wall of the receptacle itself is no edge, so the middle of a seat, a basin or a bowl is safe.
@@ -27,24 +26,17 @@ class SafeFromEdges:
     Attributes:
         margin: the distance (m) that is enough for what is not larger; points that have more are worth hardly more.
         least: points that have less (m) are not offered, unless no point has more.
-        samples: how many points to weigh.
     """
 
     margin: float = 0.12
     least: float = 0.04
-    samples: int = 150
 
-    def __call__(self, points: Points, load: Load, generator: np.random.Generator) -> PlacingPoints:
-        """Return sampled points with their worth."""
-        level = level_points(points)
-        chosen = generator.choice(len(level), size=min(self.samples, len(level)), replace=False)
-        candidates = level[chosen]
-        distance = np.array([self._edge_distance(points, candidate) for candidate in candidates])
-        offered = distance >= min(self.least, distance.max(initial=0.0))
-        flatness = np.array([_flatness(points, candidate) for candidate in candidates])
+    def __call__(self, points: Points, samples: Points, load: Load) -> NDArray[np.float64]:
+        """Return the (K,) worth (m) of (K, 3) samples of (N, 3) points; -inf where they are not offered."""
+        distance = np.array([self._edge_distance(points, sample) for sample in samples])
         margin = max(self.margin, load.along_base)
-        worth = np.minimum(distance, margin) + 0.1 * distance + FLATNESS_WORTH * flatness
-        return PlacingPoints(candidates[offered], worth[offered])
+        worth = np.minimum(distance, margin) + BEYOND_MARGIN * distance
+        return np.where(distance >= min(self.least, distance.max(initial=0.0)), worth, -np.inf)
 
     def _edge_distance(self, points: Points, sample: NDArray[np.float32]) -> float:
         """Return how far (m) the sample is from where its surface ends, up to 0.4 m."""
@@ -57,9 +49,3 @@ class SafeFromEdges:
         closed = cv2.morphologyEx(cells, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
         padded = cv2.copyMakeBorder(closed, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
         return float(cv2.distanceTransform(padded, cv2.DIST_L2, 3)[half + 1, half + 1]) * CELL
-
-
-def _flatness(points: Points, sample: NDArray[np.float32]) -> float:
-    """Return the share of the points around a sample that are at its height: 1 on a table, little on a slope."""
-    near = points[np.abs(points[:, :2] - sample[:2]).max(axis=1) < FLATNESS_RADIUS, 2]
-    return float(np.mean(np.abs(near - sample[2]) < RISE)) if len(near) else 0.0

@@ -8,40 +8,63 @@ import numpy as np
 from uniteam.interface import DiscreteAction
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.arm_path import ArmPath, follow, let_go
-from uniteam.mind.manipulation.place.drop_height import ReleaseRule
-from uniteam.mind.manipulation.place.placing_points import PointRule
-from uniteam.mind.skills.skill import Skill, discrete
-from uniteam.mind.skills.view import View
+from uniteam.mind.manipulation.place.drop_height import Release
+from uniteam.mind.manipulation.place.placing_points import ChoosePoints, PlacingPoints
+from uniteam.mind.skills.skill import Skill, discrete, turn
+from uniteam.mind.skills.view import Points, View
 
 
 @dataclass(frozen=True)
-class PlaceTask:
+class Stand:
+    """Where the robot stands when the arm is to reach out.
+
+    Attributes:
+        view: in manipulation mode.
+        candidates: where it may put down (base frame).
+        surroundings: (N, 3) points (m, base frame) of all that the arm may touch.
+        line_up: from the turn (rad) that would bring the arm's line over a point to the turn that the base makes; None
+            where it makes none that does.
+    """
+
+    view: View
+    candidates: PlacingPoints
+    surroundings: Points
+    line_up: Callable[[float], float | None]
+
+
+@dataclass(frozen=True)
+class Aim:
+    """The view in manipulation mode, the base's turn (rad) that lines the arm up, and the path that it then follows."""
+
+    view: View
+    turn: float
+    path: ArmPath
+
+
+@dataclass(frozen=True)
+class PlaceContext:
     """What a strategy of placing needs to know beside the view.
 
     Attributes:
         load: what the gripper holds.
         choose_points: where a thing can be put.
         release: how it is let go.
+        find_path: how the arm gets there.
         generator: of the random choices.
     """
 
     load: Load
-    choose_points: PointRule
-    release: ReleaseRule
+    choose_points: ChoosePoints
+    release: Release
+    find_path: "FindPath"
     generator: np.random.Generator
 
 
-@dataclass(frozen=True)
-class Aim:
-    """The view in manipulation mode from which the arm follows a path."""
-
-    view: View
-    path: ArmPath
-
-
-CloseIn = Callable[[View, PlaceTask], Skill[Aim | None]]
-"""From where navigation ended to an aim; None where no receptacle is seen or reached."""
-Fallback = Callable[[View, PlaceTask], Skill[Aim]]
+CloseIn = Callable[[View, PlaceContext], Skill[Stand | None]]
+"""From where navigation ended to a stand; None where no receptacle is seen."""
+FindPath = Callable[[Stand, PlaceContext], Aim | None]
+"""From a stand to an aim at one of its candidates; None where the arm reaches none."""
+Fallback = Callable[[View, PlaceContext], Skill[Aim]]
 """What to do without an aim."""
 
 
@@ -52,39 +75,50 @@ class PlaceConfig:
     Attributes:
         choose_points: where a thing can be put.
         close_in: how the robot gets from where navigation ended to where the arm reaches.
+        find_path: how the arm gets from there over a placing point.
         release: how high and with which wrist the gripper lets go.
         fall_back: what to do where no receptacle is seen or reached.
-        attempts: at how many places to try for an aim; at the last one the object is let go without one.
+        attempts: at how many places to try for an aim; at the last one the object is let go without one. The baseline
+            has one, `more_attempts` several.
         rest_steps: how long to wait for the object to come to rest.
     """
 
-    choose_points: PointRule
+    choose_points: ChoosePoints
     close_in: CloseIn
-    release: ReleaseRule
+    find_path: FindPath
+    release: Release
     fall_back: Fallback
     attempts: int = 1
     rest_steps: int = 200
 
+    def context(self, load: Load, generator: np.random.Generator) -> PlaceContext:
+        """Return what the strategies need to know to place a load."""
+        return PlaceContext(load, self.choose_points, self.release, self.find_path, generator)
 
-def place(view: View, task: PlaceTask, config: PlaceConfig, is_last: bool) -> Skill[bool]:
+
+def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool) -> Skill[bool]:
     """Put what the gripper holds on the goal receptacle that the robot faces.
 
     Args:
         view: in navigation mode, before the receptacle.
-        task: what is to be placed, and how.
+        context: what is to be placed, and how.
         config: the strategies.
         is_last: whether it is let go in any case.
 
     Returns:
         True once what was let go has come to rest; False, in navigation mode, where there was no aim.
     """
-    aim = yield from config.close_in(view, task)
+    stand = yield from config.close_in(view, context)
+    aim = None if stand is None else context.find_path(stand, context)
     if aim is None and not is_last:
         yield discrete(DiscreteAction.NAVIGATION_MODE, "The arm cannot place it from here; I try elsewhere.")
         return False
     if aim is None:
-        aim = yield from config.fall_back(view, task)
-    view = yield from follow(aim.view, aim.path)
+        aim = yield from config.fall_back(view, context)
+    view = aim.view
+    if aim.turn != 0.0:
+        view = yield turn(aim.turn, "I turn so that the arm's line meets the placing point.")
+    view = yield from follow(view, aim.path)
     yield from let_go(view, config.rest_steps)
     return True
 

@@ -16,8 +16,6 @@ SLAB_WIDTH = 0.2
 """Side of the square around a placing point that should be at its height (m)."""
 SLAB_THICKNESS = 0.04
 """Heights this close together (m) are equal."""
-SAMPLES = 50
-"""How many points of a receptacle are weighed."""
 
 
 @dataclass(frozen=True)
@@ -26,10 +24,10 @@ class PlacingPoints:
 
     Attributes:
         points: (K, 3) m, K >= 0, in the frame of the points they were chosen from.
-        worth: (K,); the higher, the better.
+        worth: (K,) m: how far from the edge, or what is as good; the higher, the better.
     """
 
-    points: Points
+    points: NDArray[np.floating]
     worth: NDArray[np.float64]
 
     def best_first(self) -> NDArray[np.intp]:
@@ -37,21 +35,56 @@ class PlacingPoints:
         return np.argsort(-self.worth, kind="stable")
 
 
-PointRule = Callable[[Points, Load, np.random.Generator], PlacingPoints]
+ChoosePoints = Callable[[Points, Load, np.random.Generator], PlacingPoints]
 """From the points seen of a receptacle and what is to be put there to the points on which it can be."""
+Weigh = Callable[[Points, Points, Load], NDArray[np.float64]]
+"""From (N, 3) points, (K, 3) samples of them and what is put there to their (K,) worth (m); -inf is no choice."""
+Bonus = Callable[[Points, Points], NDArray[np.float64]]
+"""From (N, 3) points and (K, 3) samples of them to what is added to the samples' (K,) worth (m)."""
 
 
-def densest_slab(points: Points, load: Load, generator: np.random.Generator) -> PlacingPoints:
-    """Return 50 sampled points, each worth the number of points in the square of equal height around it.
+def every_point(points: Points) -> Points:
+    """Return all points: whatever is seen of a receptacle may be a place."""
+    return points
 
-    The rule of HomeRobot's heuristic placing (arXiv 2306.11565).
+
+def slab_density(points: Points, samples: Points, load: Load) -> NDArray[np.float64]:
+    """Return the worth of samples by the number of points in the square of equal height around each.
+
+    The rule of HomeRobot's heuristic placing (arXiv 2306.11565). The fullest square is worth half its side, so that
+    worth is in metres from the edge here too.
     """
-    chosen = generator.choice(len(points), size=min(SAMPLES, len(points)), replace=False)
-    samples = points[chosen]
-    return PlacingPoints(samples, _slab_counts(points, samples).astype(np.float64))
-
-
-def _slab_counts(points: Points, samples: Points) -> NDArray[np.int64]:
-    """Return (K,): how many points lie in the slab around each sample."""
     half = np.array([SLAB_WIDTH, SLAB_WIDTH, SLAB_THICKNESS], dtype=np.float32) / 2
-    return np.array([np.count_nonzero((np.abs(points - sample) < half).all(axis=1)) for sample in samples])
+    counts = np.array([np.count_nonzero((np.abs(points - sample) < half).all(axis=1)) for sample in samples])
+    return counts / max(1, counts.max(initial=0)) * (SLAB_WIDTH / 2)
+
+
+def no_bonus(points: Points, samples: Points) -> NDArray[np.float64]:
+    """Return nothing to add, as in the baseline."""
+    return np.zeros(len(samples))
+
+
+@dataclass(frozen=True)
+class PointRule:
+    """Samples the points that may be places and weighs them; the defaults are the baseline's.
+
+    Attributes:
+        candidates: which of the points may be places.
+        samples: how many of them are weighed.
+        weigh: what each is worth.
+        bonus: what is added to that.
+    """
+
+    candidates: Callable[[Points], Points] = every_point
+    samples: int = 50
+    weigh: Weigh = slab_density
+    bonus: Bonus = no_bonus
+
+    def __call__(self, points: Points, load: Load, generator: np.random.Generator) -> PlacingPoints:
+        """Return the sampled points that are offered, with their worth."""
+        candidates = self.candidates(points)
+        chosen = generator.choice(len(candidates), size=min(self.samples, len(candidates)), replace=False)
+        samples = candidates[chosen]
+        worth = self.weigh(points, samples, load) + self.bonus(points, samples)
+        offered = worth > -np.inf
+        return PlacingPoints(samples[offered], worth[offered])

@@ -1,4 +1,4 @@
-"""Closing in step by step: look, come a little closer, look again; then aim at what the arm reaches without touching.
+"""Closing in step by step: look, come a little closer, look again; then line the arm up (`stepwise_place`).
 
 The robot keeps what it saw on the way in (`Nearby`): close to a receptacle, the camera looks over its near edge.
 """
@@ -8,21 +8,30 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from uniteam.mind.manipulation.arm_clearance import SweepConfig
-from uniteam.mind.manipulation.arm_path import ArmPath, is_path_free, path_to
-from uniteam.mind.manipulation.place.drop_height import reach_of
 from uniteam.mind.manipulation.place.local_cloud import Nearby
-from uniteam.mind.manipulation.place.place import Aim, PlaceTask, enter_manipulation_mode
-from uniteam.mind.manipulation.place.placing_points import PlacingPoints
+from uniteam.mind.manipulation.place.place import PlaceContext, Stand, enter_manipulation_mode
 from uniteam.mind.skills.skill import SMALLEST_DRIVE, SMALLEST_TURN, Skill, drive, turn
 from uniteam.mind.skills.view import Points, View
 
-TIGHTEST_GAP = 0.02
-"""m; between a surface and the lowest part of what is held over it."""
-HEIGHT_PRICE = 0.1
-"""What a metre of fall costs in worth, which is in metres from the edge."""
-ELBOW_ROOM = 0.4
-"""m beyond the arm's reach; what is farther is out of its way."""
+GOOD_SHARE = 0.7
+"""Of the best worth: among points so good the nearest is headed for, since one much farther would cost more steps and
+views than the rest of the worth is."""
+
+
+@dataclass(frozen=True)
+class TurnToLine:
+    """Turns the base so that the arm's line meets a point.
+
+    Attributes:
+        widest: the largest turn that is made (rad).
+    """
+
+    widest: float = math.radians(60.0)
+
+    def __call__(self, angle: float) -> float | None:
+        """Return the turn that the base can make and that is nearest to `angle` (rad); None where it is too wide."""
+        turn_made = _possible_turn(angle)
+        return None if abs(turn_made) > self.widest else turn_made
 
 
 @dataclass(frozen=True)
@@ -33,34 +42,34 @@ class CloseInStepwise:
         step: of the drive (m).
         most_steps: how many turns and drives to make before the arm must do.
         comfort: distance (m) from the base to a placing point, as a share of the arm's reach, that is near enough.
-        widest_turn: how far (rad) the base turns to bring the arm's line over a point.
-        extra_heights: how much higher than the release asks for the arm may go over what stands in its way (m).
-        sweep: the room the arm takes.
+        line_up: how the base turns in the end to bring the arm's line over a point.
     """
 
     step: float = 0.25
     most_steps: int = 12
     comfort: float = 0.92
-    widest_turn: float = math.radians(60.0)
-    extra_heights: tuple[float, ...] = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
-    sweep: SweepConfig = field(default_factory=SweepConfig)
+    line_up: TurnToLine = field(default_factory=TurnToLine)
 
-    def __call__(self, view: View, task: PlaceTask) -> Skill[Aim | None]:
-        """Answer with an aim that touches nothing seen; None where there is none."""
+    def __call__(self, view: View, context: PlaceContext) -> Skill[Stand | None]:
+        """Answer with the stand near enough to a placing point; None where no receptacle is seen."""
         nearby = Nearby()
         nearby.add(view)
         if len(nearby.goal_points(view.observation.base_to_start)) == 0:
             return None
-        view = yield from self._come_closer(view, task, nearby)
+        view = yield from self._come_closer(view, context, nearby)
         view = yield from enter_manipulation_mode(view, "I am near enough and point the arm at the receptacle.")
         nearby.add(view)
         pose = view.observation.base_to_start
-        return (yield from self.aim(view, nearby.goal_points(pose), nearby.surroundings(pose), task))
+        points = nearby.goal_points(pose)
+        if len(points) == 0:
+            return None
+        chosen = context.choose_points(points, context.load, context.generator)
+        return Stand(view, chosen, nearby.surroundings(pose), self.line_up)
 
-    def _come_closer(self, view: View, task: PlaceTask, nearby: Nearby) -> Skill[View]:
-        reach = reach_of(task.release)
+    def _come_closer(self, view: View, context: PlaceContext, nearby: Nearby) -> Skill[View]:
+        reach = context.release.reach
         for _ in range(self.most_steps):
-            target = self._nearest_good_point(nearby.goal_points(view.observation.base_to_start), task)
+            target = self._nearest_good_point(nearby.goal_points(view.observation.base_to_start), context)
             if target is None:
                 break
             bearing, distance = math.atan2(target[1], target[0]), math.hypot(target[0], target[1])
@@ -78,49 +87,15 @@ class CloseInStepwise:
             nearby.add(view)
         return view
 
-    def _nearest_good_point(self, points: Points, task: PlaceTask) -> np.ndarray | None:
+    def _nearest_good_point(self, points: Points, context: PlaceContext) -> np.ndarray | None:
         if len(points) == 0:
             return None
-        chosen = task.choose_points(points, task.load, task.generator)
+        chosen = context.choose_points(points, context.load, context.generator)
         if len(chosen.points) == 0:
             return None
         distance = np.hypot(chosen.points[:, 0], chosen.points[:, 1])
-        good = chosen.worth >= 0.7 * chosen.worth.max()
+        good = chosen.worth >= GOOD_SHARE * chosen.worth.max()
         return chosen.points[int(np.argmin(np.where(good, distance, np.inf)))]
-
-    def aim(self, view: View, points: Points, surroundings: Points, task: PlaceTask) -> Skill[Aim | None]:
-        """Turn so that the arm's line meets the best of the points that it reaches freely, and answer with the aim."""
-        if len(points) == 0:
-            return None
-        chosen = task.choose_points(points, task.load, task.generator)
-        found = self._first_free(view, chosen, surroundings, task)
-        if found is None:
-            return None
-        angle, path = found
-        if angle != 0.0:
-            view = yield turn(angle, "I turn so that the arm's line meets the placing point.")
-        return Aim(view, path)
-
-    def _first_free(
-        self, view: View, chosen: PlacingPoints, surroundings: Points, task: PlaceTask
-    ) -> tuple[float, ArmPath] | None:
-        """Return the turn and the path to the best point and height that the arm reaches freely."""
-        reach, now = reach_of(task.release), view.observation.joints
-        near = surroundings[np.hypot(surroundings[:, 0], surroundings[:, 1]) < reach.far + ELBOW_ROOM]
-        worth = chosen.worth[:, None] - HEIGHT_PRICE * np.array(self.extra_heights)
-        for flat in np.argsort(-worth, axis=None, kind="stable"):
-            index, extra = divmod(int(flat), len(self.extra_heights))
-            x, y, z = (float(value) for value in chosen.points[index])
-            distance, angle = reach.distance_to(x, y), _possible_turn(reach.turn_to(x, y))
-            lowest = z + task.load.below + TIGHTEST_GAP
-            height = z + task.release.height_above_surface(task.load) + self.extra_heights[extra]
-            in_reach = reach.near <= distance <= reach.far and lowest <= reach.high
-            if not in_reach or abs(angle) > self.widest_turn:
-                continue
-            path = path_to(now, reach.over(now, distance, min(height, reach.high)))
-            if is_path_free(path, _turned(near, angle), task.load, self.sweep):
-                return angle, path
-        return None
 
 
 def _possible_turn(angle: float) -> float:
@@ -128,10 +103,3 @@ def _possible_turn(angle: float) -> float:
     if abs(angle) >= SMALLEST_TURN:
         return angle
     return 0.0 if abs(angle) < SMALLEST_TURN / 2 else math.copysign(SMALLEST_TURN, angle)
-
-
-def _turned(points: Points, angle: float) -> Points:
-    """Return the points in the frame of the base after it has turned by `angle` (rad)."""
-    c, s = math.cos(angle), math.sin(angle)
-    x, y, z = points.T
-    return np.stack([c * x + s * y, -s * x + c * y, z], axis=-1)

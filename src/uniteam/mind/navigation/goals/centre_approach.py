@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask, disc, disc_mask
 from uniteam.mind.navigation.goal import Goal
-from uniteam.mind.navigation.goals.exploration import ChooseGoal
 from uniteam.mind.navigation.goals.receptacle_probability import group_cells
 from uniteam.mind.navigation.planning.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import Window, window_around
@@ -27,31 +26,25 @@ class _Side(NamedTuple):
 
 @dataclass(frozen=True)
 class CentreApproach:
-    """Leads to the middle of the free stretch along a side of what another choice chose: UniTeam's `centre_approach`.
+    """Leads to the middle of the free stretch along a side of a receptacle: UniTeam's `centre_approach`.
 
     The sides are those of the smallest rectangle around each connected group of the goal's cells. Where no side has a
-    free stretch, the other choice's goal stands; where one has a much longer stretch than another, the short one is no
-    choice.
+    free stretch, the goal stays as it is; where one has a much longer stretch than another, the short one is no choice.
 
     Attributes:
-        choose: the other choice.
         stand_off: how far from the side the robot's axis stands (m).
         robot_cells: obstacles grow by so many cells where it stands, its own radius.
         min_stretch: a free stretch must be so long (m).
         play: how far from the middle is near enough (m).
     """
 
-    choose: ChooseGoal
     stand_off: float = 0.45
     robot_cells: int = 6
     min_stretch: float = 0.2
     play: float = 0.15
 
-    def __call__(self, bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+    def __call__(self, goal: Goal, bird_map: BirdsEyeMap, base: BasePose) -> Goal:
         """Return the goal of standing before the middle of a side and facing it."""
-        goal = self.choose(bird_map, base)
-        if goal is None:
-            return None
         window = window_around(bird_map, base)
         cells = window.cut(goal.cells)
         free = self._standing_room(bird_map, window, base)

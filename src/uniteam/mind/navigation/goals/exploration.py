@@ -1,10 +1,11 @@
 """What to head for: goals chosen from the map, one small function each, tried in order.
 
-A `ChooseGoal` looks at the map and returns a goal or None. An agent's search is a tuple of them: the baseline's are
-`FIND_OBJECT` and `FIND_RECEPTACLE`; UniTeam puts its own in their places.
+A `ChooseGoal` looks at the map and returns a goal or None. An agent's search is a `SearchConfig`, which has a slot for
+each: the defaults are the baseline's, and improvements put their own in their places.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
@@ -29,23 +30,56 @@ def start_receptacle_not_been_close(bird_map: BirdsEyeMap, base: BasePose) -> Go
     return Goal(GoalKind.START_RECEPTACLE, cells) if cells.any() else None
 
 
-def goal_receptacle(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+def any_goal_receptacle(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
     """Return all cells of the goal receptacle, to stand before the nearest and face it."""
     cells = bird_map.class_cells(ClassRole.GOAL_RECEPTACLE)
     return Goal(GoalKind.GOAL_RECEPTACLE, cells, face=cells) if cells.any() else None
 
 
-def frontier(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+def any_frontier(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
     """Return all frontiers; the planner goes to the nearest."""
     cells = find_frontiers(bird_map, base, FrontierConfig())
     return Goal(GoalKind.FRONTIER, cells, distance=0.0) if cells.any() else None
 
 
-FIND_OBJECT: tuple[ChooseGoal, ...] = (object_on_start_receptacle, start_receptacle_not_been_close, frontier)
-"""The baseline's search for the object."""
+Approach = Callable[[Goal, BirdsEyeMap, BasePose], Goal]
+"""From the goal of standing before a receptacle, the map and the robot to that of standing at a chosen side of it."""
 
-FIND_RECEPTACLE: tuple[ChooseGoal, ...] = (goal_receptacle, frontier)
-"""The baseline's search for the goal receptacle."""
+
+def from_any_side(goal: Goal, bird_map: BirdsEyeMap, base: BasePose) -> Goal:
+    """Return the goal as it is: whichever side is nearest will do."""
+    return goal
+
+
+@dataclass(frozen=True)
+class SearchConfig:
+    """What to head for, by what is known; the defaults are HomeRobot's (arXiv 2306.11565).
+
+    Attributes:
+        object: where the object is known.
+        start_receptacle: where only start receptacles are known, while there is no object in the gripper.
+        goal_receptacle: where goal receptacles are known, with the object in the gripper.
+        approach: at which side of the goal receptacle to stand.
+        frontier: where nothing of all this is known.
+    """
+
+    object: ChooseGoal = object_on_start_receptacle
+    start_receptacle: ChooseGoal = start_receptacle_not_been_close
+    goal_receptacle: ChooseGoal = any_goal_receptacle
+    approach: Approach = from_any_side
+    frontier: ChooseGoal = any_frontier
+
+    def for_object(self) -> tuple[ChooseGoal, ...]:
+        """Return what to head for while there is no object in the gripper, in order of preference."""
+        return self.object, self.start_receptacle, self.frontier
+
+    def for_receptacle(self) -> tuple[ChooseGoal, ...]:
+        """Return what to head for with the object in the gripper, in order of preference."""
+        return self._approached_receptacle, self.frontier
+
+    def _approached_receptacle(self, bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+        goal = self.goal_receptacle(bird_map, base)
+        return None if goal is None else self.approach(goal, bird_map, base)
 
 
 BLOCKED_OFTEN = 3

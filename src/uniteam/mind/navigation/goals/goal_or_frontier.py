@@ -10,7 +10,7 @@ import numpy as np
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, disc_mask
 from uniteam.mind.navigation.goal import Goal
-from uniteam.mind.navigation.goals.exploration import ChooseGoal, frontier
+from uniteam.mind.navigation.goals.exploration import ChooseGoal, any_frontier
 from uniteam.mind.navigation.planning.planner import Plan
 
 Trail = Sequence[BasePose]
@@ -63,6 +63,7 @@ class Commitment:
 
     Attributes:
         is_stuck: when to turn away from it.
+        frontier: what it turns to then.
         detour_steps: for how many steps the frontier then comes first.
         avoid_radius: frontiers this near (m) to where a goal was left are avoided.
         trail: see `Trail`.
@@ -71,6 +72,7 @@ class Commitment:
     """
 
     is_stuck: Callable[[Trail], bool] = never_stuck
+    frontier: ChooseGoal = any_frontier
     detour_steps: int = 40
     avoid_radius: float = 0.75
     trail: list[BasePose] = field(default_factory=list)
@@ -100,7 +102,7 @@ class Commitment:
         self.detour_left = 0
 
     def _frontier_elsewhere(self, bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
-        goal = frontier(bird_map, base)
+        goal = self.frontier(bird_map, base)
         if goal is None:
             return None
         cells = goal.cells.copy()

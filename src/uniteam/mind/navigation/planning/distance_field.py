@@ -27,7 +27,7 @@ _STEPS = np.array((*_SIDES, *_CORNERS, *_KNIGHTS), dtype=np.int32)
 _WEIGHTS = np.array([5] * 4 + [7] * 4 + [11] * 8, dtype=np.int32)
 
 
-class Reach(NamedTuple):
+class SearchResult(NamedTuple):
     """What a search found.
 
     Attributes:
@@ -143,7 +143,7 @@ def distance_field(free: Mask, sources: Mask, cell_size: float) -> NDArray[np.fl
     return costs_to_metres(costs, cell_size)
 
 
-def nearest_target(free: Mask, start: Cell, targets: Mask) -> Reach:
+def nearest_target(free: Mask, start: Cell, targets: Mask) -> SearchResult:
     """Search from a cell until the first target is reached; cells beyond it stay unsearched.
 
     Args:
@@ -154,10 +154,10 @@ def nearest_target(free: Mask, start: Cell, targets: Mask) -> Reach:
     sources = np.zeros_like(free)
     sources[start] = True
     costs, row, column = _spread(free, sources, targets)
-    return Reach(costs, (row, column))
+    return SearchResult(costs, (row, column))
 
 
-def trace_path(free: Mask, reach: Reach, cell: Cell) -> NDArray[np.int32]:
+def trace_path(free: Mask, reach: SearchResult, cell: Cell) -> NDArray[np.int32]:
     """Return the (P, 2) cells (row, column) of the path from a search's start to a cell that it reached, inclusive."""
     return _descend(free, reach.costs, cell[0], cell[1])
 

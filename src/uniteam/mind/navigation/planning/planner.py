@@ -17,7 +17,7 @@ from uniteam.interface import Action, BaseDisplacement, DiscreteAction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.planning.collision_mapping import PATCH_UNTIL_REPLAN, BlockedMotion, CollisionMemory
-from uniteam.mind.navigation.planning.distance_field import Reach, costs_to_metres, nearest_target, trace_path
+from uniteam.mind.navigation.planning.distance_field import SearchResult, costs_to_metres, nearest_target, trace_path
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal
 from uniteam.mind.navigation.planning.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import Window, window_around
@@ -91,7 +91,7 @@ class _Route:
 
     window: Window
     free: Mask
-    reach: Reach
+    reach: SearchResult
     reachable: bool
 
 
@@ -185,7 +185,7 @@ class Planner:
         targets[robot] |= not targets.any()
         return _Route(window, careful, nearest_target(careful, robot, targets), False)
 
-    def _search(self, free: Mask, robot: Cell, to_goal: NDArray[np.float32], goal: Goal) -> Reach | None:
+    def _search(self, free: Mask, robot: Cell, to_goal: NDArray[np.float32], goal: Goal) -> SearchResult | None:
         """Return the search that found the nearest place to stand, or None."""
         known = connected_to(robot, free)
         for distance in self._distances(goal):

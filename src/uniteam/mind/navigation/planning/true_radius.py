@@ -1,0 +1,11 @@
+"""Planning with the base's true radius where there is room for it (`true_radius`)."""
+
+from uniteam.stretch import BASE_RADIUS
+
+
+def true_radius(cell_size: float) -> tuple[int, ...]:
+    """Return by how many cells of a size (m) obstacles grow: the base's radius first, then less until there is a path.
+
+    HomeRobot's three cells of 5 cm are half the radius, so a path may pass where the base does not.
+    """
+    return tuple(range(round(BASE_RADIUS / cell_size), 0, -1))
