@@ -63,8 +63,8 @@ class EpisodePlayer:
     def __call__(self, attempt: Attempt) -> EpisodeResult | Lost:
         """Play an attempt.
 
-        An exception of the agent, or an action that is none, is its result; an exception of the world, and want of memory, is nothing that the
-        agent did.
+        An exception of the agent, or an action that is none, is its result; an exception of the world, and want of
+        memory, is nothing that the agent did.
 
         Raises:
             UniteamError: the home cannot be opened: the split or the pack is at fault, and every episode would crash.

@@ -5,6 +5,8 @@ import math
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from importlib.resources import files
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -26,15 +28,18 @@ from uniteam.interface import (
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
-from uniteam.mind.agents.improvements import REPORT, improved
+from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, Improvement, ImprovementError, improved
 from uniteam.mind.agents.registry import agent_config, describe_agent, make_agent
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
+from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.perception.registry import needs_truth
 
 INSTRUCTION = Instruction("cup", "table", "bed")
-UNITEAM = improved(BASELINE, [i.name for i in REPORT])
+UNITEAM = improved(BASELINE, REPORT)
+PLUS = improved(BASELINE, (*REPORT, *BEYOND))
 IMPATIENT = {
     name: replace(config, place=replace(config.place, rest_steps=2))
-    for name, config in {"baseline": BASELINE, "uniteam": UNITEAM}.items()
+    for name, config in {"baseline": BASELINE, "uniteam": UNITEAM, "uniteam-plus": PLUS}.items()
 }
 CAMERA = PinholeCamera.from_horizontal_fov(120, 160, math.radians(42.0))
 TABLE = Box((1.6, -0.8, 0.0), (2.4, 0.8, 0.7), "table")
@@ -169,7 +174,7 @@ def test_blind_eyes_lead_to_exploring_and_in_the_end_to_giving_up(config: AgentC
     assert "give up" in decisions[-1].reason
 
 
-def test_a_robot_that_is_blocked_by_what_it_cannot_see_steps_aside_with_goal_or_frontier() -> None:
+def test_a_robot_that_is_blocked_by_what_it_cannot_see_gets_away_with_step_aside() -> None:
     """An invisible wall stands before the table: the baseline drives at it for ever."""
 
     @dataclass
@@ -185,7 +190,7 @@ def test_a_robot_that_is_blocked_by_what_it_cannot_see_steps_aside_with_goal_or_
     config = replace(BASELINE, first_turns=0)
     worlds = [InvisibleWall((*ROOM, TABLE, CUP), BasePose(0.0, 0.0, 0.0), camera=CAMERA) for _ in range(2)]
     stuck = drive(HeuristicAgent(config, Eyes(see_truth)), worlds[0], 120)
-    free = drive(HeuristicAgent(improved(config, {"goal_or_frontier"}), Eyes(see_truth)), worlds[1], 120)
+    free = drive(HeuristicAgent(improved(config, {"step_aside"}), Eyes(see_truth)), worlds[1], 120)
     assert not any("step aside" in decision.reason for decision in stuck)
     assert any("step aside" in decision.reason for decision in free)
     assert worlds[0].held is None
@@ -213,10 +218,55 @@ def test_the_random_agent_chooses_every_discrete_action_about_as_often() -> None
     assert min(counts.values()) > 140 and max(counts.values()) < 260
 
 
-def test_there_are_fourteen_improvements_and_each_changes_the_baseline() -> None:
+def test_the_report_has_fourteen_improvements_and_each_of_all_changes_the_baseline() -> None:
     assert len(REPORT) == 14
-    for improvement in REPORT:
-        assert improved(BASELINE, {improvement.name}) != BASELINE, improvement
+    for improvement in (*REPORT, *BEYOND):
+        assert improved(BASELINE, [improvement]) != BASELINE, improvement
+        assert improvement.summary and IMPROVEMENTS.get(improvement.name) is improvement
+
+
+def test_the_order_in_which_improvements_are_applied_makes_no_difference() -> None:
+    backwards = BASELINE
+    for improvement in reversed((*REPORT, *BEYOND)):
+        backwards = improvement.apply(backwards)
+    assert replace(backwards, filters=backwards.filters[::-1]) == PLUS
+    assert improved(BASELINE, [i.name for i in (*BEYOND, *REPORT)]) == PLUS
+
+
+@pytest.mark.parametrize("improvement", (*REPORT, *BEYOND), ids=lambda improvement: improvement.name)
+def test_an_improvement_does_not_fit_where_it_has_been_applied_already(improvement: Improvement) -> None:
+    with pytest.raises(ImprovementError, match=improvement.name):
+        improvement.apply(improvement.apply(BASELINE))
+
+
+def _nothing(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+    return None
+
+
+def test_an_improvement_that_would_take_the_place_of_something_of_ones_own_says_so() -> None:
+    own = replace(BASELINE, search=replace(BASELINE.search, goal_receptacle=_nothing))
+    with pytest.raises(ImprovementError, match=r"'search.goal_receptacle'.*any_goal_receptacle.*has _nothing there"):
+        improved(own, ["receptacle_probability"])
+    assert improved(own, ["centre_approach"]).search.goal_receptacle is _nothing
+
+
+def test_an_improvement_of_ones_own_is_applied_after_the_built_in_ones() -> None:
+    patient = Improvement("patient", "waits longer", lambda config: replace(config, first_turns=config.place.attempts))
+    assert improved(BASELINE, [patient, "more_attempts"]).first_turns == 4
+
+
+def test_an_improvement_that_makes_no_configuration_is_refused() -> None:
+    forgetful = Improvement("forgetful", "returns nothing", lambda config: None)  # type: ignore[arg-type,return-value]
+    with pytest.raises(ImprovementError, match="'forgetful' must return an AgentConfig, but returned NoneType"):
+        improved(BASELINE, [forgetful])
+
+
+def test_every_improvement_can_be_found_by_its_name_where_it_is_done() -> None:
+    mind = Path(str(files("uniteam.mind")))
+    text = "".join(p.read_text() for p in mind.rglob("*.py") if p.parent.name != "agents") + " ".join(
+        p.name for p in mind.rglob("*.py")
+    )
+    assert [i.name for i in (*REPORT, *BEYOND) if i.name not in text] == []
 
 
 def test_any_mixture_can_be_named_from_either_end() -> None:
@@ -228,17 +278,17 @@ def test_any_mixture_can_be_named_from_either_end() -> None:
     assert agent_config("random") is None
 
 
-@pytest.mark.parametrize("name", ["baseline", "uniteam", "random"])
+@pytest.mark.parametrize("name", ["baseline", "uniteam", "uniteam-plus", "random"])
 def test_every_agent_is_described_in_json_and_improvements_show(name: str) -> None:
     text = json.dumps(describe_agent(name))
     assert f'"agent": "{name}"' in text
     if name != "random":
         assert json.dumps(describe_agent("baseline", with_=["drop_height"])) != json.dumps(describe_agent("baseline"))
-        assert "SafeFromEdges" in json.dumps(describe_agent("uniteam"))
+        assert "EdgeMargin" in json.dumps(describe_agent("uniteam"))
 
 
 def test_what_no_configuration_holds_cannot_be_described() -> None:
-    with pytest.raises(TypeError, match="cannot be described"):
+    with pytest.raises(InvalidInputError, match="cannot be described"):
         describe(np.zeros(3))
 
 

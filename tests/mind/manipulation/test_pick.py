@@ -9,7 +9,7 @@ from worlds.arm_world import ArmWorld, play
 from worlds.box_world import Box
 
 from uniteam.geometry import BasePose
-from uniteam.interface import DiscreteAction, Instruction
+from uniteam.interface import DiscreteAction, Instruction, JointDisplacement
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import improved
 from uniteam.mind.manipulation.pick.pick import PickConfig, PickResult, load_seen, pick
@@ -18,6 +18,8 @@ INSTRUCTION = Instruction("cup", "table", "bed")
 TABLE = Box((0.45, -1.0, 0.0), (1.3, 1.0, 0.7), "table")
 BASIC = BASELINE.pick
 LOOKING = improved(BASELINE, {"look_around_pick"}).pick
+TILTING = improved(BASELINE, {"tilt_head"}).pick
+REACHING = improved(BASELINE, {"reach_out_pick"}).pick
 VERIFYING = improved(BASELINE, {"verify_pick"}).pick
 
 
@@ -64,25 +66,53 @@ def test_look_around_pick_finds_an_object_beside_the_arm_that_the_baseline_misse
         assert worlds[1].held is not None, bearing
 
 
-def test_look_around_pick_drives_closer_to_an_object_in_view_beyond_reach() -> None:
+def test_reach_out_pick_drives_closer_to_an_object_in_view_beyond_reach() -> None:
     boxes = (Box((0.9, -0.5, 0.0), (1.4, 0.5, 0.7), "table"), cup_at(1.2, 0.1))
     worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
     pick_in(worlds[0], BASIC)
-    pick_in(worlds[1], LOOKING)
+    pick_in(worlds[1], REACHING)
     assert worlds[0].held is None
     assert worlds[1].held is not None
     assert worlds[1].base.x > 0.2
 
 
-def test_look_around_pick_lifts_the_gripper_to_a_high_object() -> None:
+def test_reach_out_pick_lifts_the_gripper_to_a_high_object() -> None:
     table = Box((0.45, -0.5, 0.0), (1.0, 0.5, 1.05), "table")
     boxes = (table, Box((0.84, -0.04, 1.05), (0.92, 0.04, 1.15), "cup"))
     worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
     pick_in(worlds[0], BASIC)
-    pick_in(worlds[1], LOOKING)
+    pick_in(worlds[1], REACHING)
     assert worlds[0].held is None
     assert worlds[1].held is not None
     assert worlds[1].hits == []
+
+
+def test_reach_out_pick_extends_the_arm_where_the_base_gets_no_closer() -> None:
+    wall = Box((0.45, -0.6, 0.0), (0.55, 0.6, 0.3))
+    boxes = (wall, Box((0.9, -0.5, 0.0), (1.5, 0.5, 0.7), "table"), cup_at(1.0, 0.0))
+    worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    pick_in(worlds[0], BASIC)
+    pick_in(worlds[1], REACHING)
+    assert worlds[0].held is None
+    assert worlds[1].held is not None
+    assert worlds[1].hits == []
+
+
+def test_tilt_head_finds_an_object_below_the_picture_that_the_baseline_misses() -> None:
+    boxes = (Box((0.3, -0.3, 0.0), (0.6, 0.3, 0.25), "table"), Box((0.33, -0.04, 0.25), (0.41, 0.04, 0.33), "cup"))
+    worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    pick_in(worlds[0], BASIC)
+    pick_in(worlds[1], TILTING)
+    assert worlds[0].held is None
+    assert worlds[1].held is not None
+
+
+def test_tilt_head_looks_straight_along_the_arm_again_where_there_is_nothing() -> None:
+    world = ArmWorld((TABLE,), BasePose(0.0, 0.0, 0.0))
+    _, actions = play(world, INSTRUCTION, lambda view: pick(view, TILTING))
+    tilts = [action.delta.head_tilt for action in actions if isinstance(action, JointDisplacement)]
+    assert len(tilts) == 3
+    assert sum(tilts) == pytest.approx(0.0)
 
 
 def test_look_around_pick_gives_up_where_there_is_nothing_and_faces_ahead_again() -> None:

@@ -13,9 +13,9 @@ from uniteam.interface import BaseDisplacement, DiscreteAction, Instruction
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import improved
 from uniteam.mind.manipulation.arm_clearance import Load
-from uniteam.mind.manipulation.place.edge_margin import SafeFromEdges
-from uniteam.mind.manipulation.place.place import PlaceConfig, PlaceTask, place
-from uniteam.mind.manipulation.place.placing_points import densest_slab
+from uniteam.mind.manipulation.place.place import PlaceConfig, place
+from uniteam.mind.manipulation.place.placing_points import PointRule
+from uniteam.mind.skills.view import Points
 
 INSTRUCTION = Instruction("cup", "sofa", "table")
 CUP = Box((0.0, 0.0, 0.0), (0.08, 0.08, 0.1), "cup")
@@ -34,8 +34,8 @@ def config(*improvements: str) -> PlaceConfig:
 def place_in(world: ArmWorld, settings: PlaceConfig, load: Load = CUP_LOAD, held: Box = CUP) -> list[object]:
     """Place at the last attempt, with a seeded generator; return the actions."""
     world.held = held
-    task = PlaceTask(load, settings.choose_points, settings.release, np.random.default_rng(5))
-    _, actions = play(world, INSTRUCTION, lambda view: place(view, task, settings, is_last=True))
+    context = settings.context(load, np.random.default_rng(5))
+    _, actions = play(world, INSTRUCTION, lambda view: place(view, context, settings, is_last=True))
     return list(actions)
 
 
@@ -62,7 +62,7 @@ def test_the_baseline_chooses_the_point_whose_slab_holds_most_points() -> None:
     generator = np.random.default_rng(0)
     crowd = np.column_stack([generator.uniform(0.0, 0.1, (400, 2)), np.full(400, 0.7)])
     scattered = np.column_stack([generator.uniform(1.0, 2.0, (400, 2)), generator.uniform(0.0, 0.7, 400)])
-    chosen = densest_slab(np.concatenate([crowd, scattered]).astype(np.float32), CUP_LOAD, generator)
+    chosen = PointRule()(np.concatenate([crowd, scattered]).astype(np.float32), CUP_LOAD, generator)
     assert len(chosen.points) == 50
     best = chosen.points[chosen.best_first()[0]]
     assert best[0] < 0.2 and best[2] == pytest.approx(0.7)
@@ -76,7 +76,7 @@ def test_stepwise_place_gets_to_a_table_that_one_long_drive_does_not_reach() -> 
     worlds = [ArmWorld((goal, obstacle), start) for _ in range(2)]
     actions = [
         place_in(worlds[0], config()),
-        place_in(worlds[1], config("stepwise_place", "drop_height")),
+        place_in(worlds[1], config("stepwise_place")),
     ]
     assert worlds[0].base.distance_to(0.0, 0.0) < 0.01
     assert not is_over(worlds[0], goal)
@@ -85,12 +85,12 @@ def test_stepwise_place_gets_to_a_table_that_one_long_drive_does_not_reach() -> 
     assert drives and max(drives) <= 0.25
 
 
-def test_stepwise_place_finds_a_way_for_the_arm_where_the_baseline_hits_a_lamp() -> None:
+def test_checked_arm_path_goes_over_or_around_a_lamp_that_the_baseline_hits() -> None:
     goal = table(0.5, height=0.7)
     lamp = Box((0.55, -0.1, 0.7), (0.65, 0.1, 1.3))
     worlds = [ArmWorld((goal, lamp), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
-    place_in(worlds[0], config())
-    place_in(worlds[1], config("stepwise_place", "drop_height"))
+    place_in(worlds[0], config("stepwise_place", "level_wrist"))
+    place_in(worlds[1], config("stepwise_place", "level_wrist", "checked_arm_path"))
     assert worlds[0].hits
     assert is_over(worlds[1], goal)
     assert worlds[1].hits == []
@@ -101,25 +101,54 @@ def test_edge_margin_keeps_away_from_the_edge_and_from_what_lies_there() -> None
     top = np.column_stack([grid, np.full(len(grid), 0.7)]).astype(np.float32)
     near_edge = np.repeat(top[top[:, 0] < 0.04], 20, axis=0)
     cloud = np.concatenate([top, near_edge])
-    greedy = densest_slab(cloud, CUP_LOAD, np.random.default_rng(1))
-    careful = SafeFromEdges()(cloud, CUP_LOAD, np.random.default_rng(1))
+    greedy = PointRule()(cloud, CUP_LOAD, np.random.default_rng(1))
+    careful = config("edge_margin").choose_points(cloud, CUP_LOAD, np.random.default_rng(1))
     assert greedy.points[greedy.best_first()[0]][0] < 0.12
     best = careful.points[careful.best_first()[0]]
     assert 0.11 < best[0] < 0.39 and 0.11 < best[1] < 0.39
     assert (careful.worth > 0).all()
 
 
-def test_edge_margin_takes_the_bottom_of_a_basin_for_safe_and_its_walls_for_no_place_at_all() -> None:
+def basin() -> Points:
+    """Return the points of a basin, 0.75 m high, with a rim of 0.9 m; its wall is seen from one side."""
     ticks = np.arange(0.0, 0.4, 0.01)
     x, y = (axis.ravel() for axis in np.meshgrid(ticks, ticks))
     is_rim = (x < 0.05) | (x > 0.35) | (y < 0.05) | (y > 0.35)
-    basin = np.column_stack([x, y, np.where(is_rim, 0.9, 0.75)])
     wall = [(0.05, v, h) for v in ticks for h in np.arange(0.75, 0.9, 0.01)]
-    cloud = np.concatenate([basin, wall]).astype(np.float32)
-    chosen = SafeFromEdges()(cloud, CUP_LOAD, np.random.default_rng(2))
+    bowl = np.column_stack([x, y, np.where(is_rim, 0.9, 0.75)])
+    return np.concatenate([bowl, wall]).astype(np.float32)
+
+
+def test_edge_margin_takes_the_bottom_of_a_basin_for_safe() -> None:
+    chosen = config("edge_margin").choose_points(basin(), CUP_LOAD, np.random.default_rng(2))
     best = chosen.points[chosen.best_first()[0]]
-    assert best[2] == pytest.approx(0.75, abs=0.01)
-    assert 0.1 < best[0] < 0.3 and 0.1 < best[1] < 0.3
+    assert best[2] < 0.9
+    assert 0.04 < best[0] < 0.3 and 0.1 < best[1] < 0.3
+
+
+def test_headroom_offers_no_walls_that_the_baseline_offers() -> None:
+    rules = config().choose_points, config("headroom").choose_points
+    offered = [rule(basin(), CUP_LOAD, np.random.default_rng(2)).points for rule in rules]
+    on_wall = [np.count_nonzero((points[:, 2] > 0.77) & (points[:, 2] < 0.87)) for points in offered]
+    assert on_wall[0] > 0
+    assert on_wall[1] == 0
+    assert len(offered[1]) == 50
+
+
+@pytest.mark.parametrize("others", [(), ("edge_margin",)])
+def test_flat_ground_prefers_a_seat_to_a_slope_that_is_seen_as_densely(others: tuple[str, ...]) -> None:
+    """The slope has a few more points to a square, and both are as wide."""
+    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(0.0, 0.5, 0.01), np.arange(0.0, 0.5, 0.01)))
+    seat = np.column_stack([x, y, np.full(len(x), 0.5)])
+    slope = np.column_stack([np.tile(x, 2) + 1.0, np.tile(y, 2), 0.5 + 0.25 * np.tile(x, 2)])
+    cloud = np.concatenate([seat, slope]).astype(np.float32)
+
+    def share_on_seat(settings: PlaceConfig) -> float:
+        bests = [settings.choose_points(cloud, CUP_LOAD, np.random.default_rng(seed)) for seed in range(12)]
+        return float(np.mean([best.points[best.best_first()[0]][0] < 0.75 for best in bests]))
+
+    assert share_on_seat(config(*others)) < 0.9
+    assert share_on_seat(config(*others, "flat_ground")) == 1.0
 
 
 def test_surface_fallback_uses_a_flat_surface_where_the_baseline_lets_go_blindly() -> None:
@@ -140,15 +169,51 @@ def test_surface_fallback_extends_blindly_only_where_there_is_no_surface_either(
     assert math.hypot(world.released[0], world.released[1]) > 0.6
 
 
-def test_drop_height_lifts_a_tall_object_over_a_counter_that_it_would_hit() -> None:
-    counter = table(0.5, height=0.9)
-    vase = Box((0.0, 0.0, 0.0), (0.1, 0.1, 0.25), "cup")
-    load = Load(0.05, 0.05, 0.25)
+VASE = Box((0.0, 0.0, 0.0), (0.1, 0.1, 0.5), "cup")
+VASE_LOAD = Load(0.05, 0.05, 0.5)
+
+
+def test_drop_height_lifts_a_tall_object_over_a_table_that_it_would_hit() -> None:
+    low = table(0.5, height=0.4)
+    worlds = [ArmWorld((low,), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    place_in(worlds[0], config(), VASE_LOAD, VASE)
+    place_in(worlds[1], config("drop_height"), VASE_LOAD, VASE)
+    assert worlds[0].hits
+    assert worlds[1].hits == []
+    assert is_over(worlds[1], low)
+
+
+def test_drop_height_leaves_the_height_of_a_small_object_alone() -> None:
+    assert config("drop_height").release.height_above_surface(CUP_LOAD) == config().release.height_above_surface(
+        CUP_LOAD
+    )
+
+
+def test_low_drop_lets_a_small_object_fall_less_deep() -> None:
+    worlds = [ArmWorld((table(0.5, height=0.5),), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    place_in(worlds[0], config())
+    place_in(worlds[1], config("low_drop"))
+    heights = [world.released[2] for world in worlds if world.released is not None]
+    assert heights == [pytest.approx(0.9, abs=0.03), pytest.approx(0.65, abs=0.03)]
+    assert worlds[1].hits == []
+
+
+def test_level_wrist_gets_over_a_counter_that_a_hanging_gripper_hits() -> None:
+    counter = table(0.5, height=1.05)
     worlds = [ArmWorld((counter,), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
-    place_in(worlds[0], config(), load, vase)
-    place_in(worlds[1], config("drop_height"), load, vase)
+    place_in(worlds[0], config())
+    place_in(worlds[1], config("level_wrist"))
     assert worlds[0].hits
     assert worlds[1].hits == []
     assert is_over(worlds[1], counter)
-    assert worlds[1].released is not None and worlds[0].released is not None
-    assert worlds[1].released[2] > worlds[0].released[2]
+
+
+def test_checked_arm_path_does_without_stepwise_place() -> None:
+    """One drive, one point: the arm goes over the box that stands before it."""
+    goal, box = table(0.6, height=0.4), Box((0.5, -0.7, 0.4), (0.6, 0.7, 0.85))
+    worlds = [ArmWorld((goal, box), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    place_in(worlds[0], config())
+    place_in(worlds[1], config("checked_arm_path"))
+    assert worlds[0].hits
+    assert worlds[1].hits == []
+    assert is_over(worlds[1], goal)

@@ -8,7 +8,7 @@ from uniteam.interface import Instruction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.class_role import role_scores
 from uniteam.mind.navigation.goal import Goal
-from uniteam.mind.navigation.goals.exploration import goal_receptacle
+from uniteam.mind.navigation.goals.exploration import any_goal_receptacle
 from uniteam.mind.navigation.goals.failed_attempts import Miss, Misses
 
 BED = Box((1.5, -0.5, 0.0), (2.5, 0.5, 0.5), "bed")
@@ -32,14 +32,14 @@ def stands_within(bird_map: BirdsEyeMap, goal: Goal, x: float, y: float, radius:
 
 
 def test_without_a_miss_the_choice_is_left_alone() -> None:
-    assert Misses().avoided_by(goal_receptacle) is goal_receptacle
+    assert Misses().avoided_by(any_goal_receptacle) is any_goal_receptacle
 
 
 def test_after_a_miss_the_robot_stands_elsewhere_and_faces_the_same_thing() -> None:
     bird_map = map_of(BED)
     misses = Misses()
     misses.add(Miss(BasePose(1.1, 0.0, 0.0), (1.6, 0.0)))
-    goal = misses.avoided_by(goal_receptacle)(bird_map, HERE)
+    goal = misses.avoided_by(any_goal_receptacle)(bird_map, HERE)
     assert goal is not None and goal.face is not None and goal.distance == 0.0
     assert stands_within(bird_map, goal, 1.1, 0.0, 0.25) == 0
     assert stands_within(bird_map, goal, 1.2, 0.5, 0.1) > 0
@@ -51,9 +51,9 @@ def test_what_was_missed_three_times_is_given_up_until_all_is_forgotten() -> Non
     misses = Misses(same_target=2.0)
     for y in (-0.4, 0.0, 0.4):
         misses.add(Miss(BasePose(1.1, y, 0.0), (1.8, y)))
-    assert misses.avoided_by(goal_receptacle)(bird_map, HERE) is None
+    assert misses.avoided_by(any_goal_receptacle)(bird_map, HERE) is None
     misses.forget()
-    assert misses.avoided_by(goal_receptacle)(bird_map, HERE) is not None
+    assert misses.avoided_by(any_goal_receptacle)(bird_map, HERE) is not None
     assert misses.count == 3
 
 
@@ -61,7 +61,7 @@ def test_after_a_miss_no_place_behind_a_wall_is_offered() -> None:
     bird_map = map_of(BED, WALL)
     misses = Misses()
     misses.add(Miss(BasePose(3.0, 0.0, 0.0), (2.4, 0.0)))
-    goal = misses.avoided_by(goal_receptacle)(bird_map, HERE)
+    goal = misses.avoided_by(any_goal_receptacle)(bird_map, HERE)
     assert goal is not None
     assert stands_within(bird_map, goal, 1.1, -0.1, 0.1) == 0
     assert stands_within(bird_map, goal, 2.0, 0.8, 0.1) > 0

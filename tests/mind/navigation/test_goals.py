@@ -13,10 +13,10 @@ from uniteam.mind.mapping.class_role import ClassRole, role_scores
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
 from uniteam.mind.navigation.goals.exploration import (
-    FIND_RECEPTACLE,
     ChooseGoal,
-    frontier,
-    goal_receptacle,
+    SearchConfig,
+    any_frontier,
+    any_goal_receptacle,
     plan_first,
     start_receptacle_not_been_close,
 )
@@ -34,6 +34,7 @@ from uniteam.mind.navigation.planning.traversible import traversible
 from uniteam.mind.navigation.window import window_around
 
 START = BasePose(0.0, 0.0, 0.0)
+SEARCH = SearchConfig()
 ROOM = room(-3.0, -3.0, 3.0, 3.0)
 
 
@@ -49,7 +50,7 @@ def test_the_more_probable_receptacle_is_chosen_over_the_nearer_one() -> None:
     drive = Drive.begin(boxes, START)
     nearest, probable = (
         drive.planner.plan(drive.bird_map, drive.base, goal)
-        for goal in (goal_receptacle(drive.bird_map, START), MostProbableReceptacle()(drive.bird_map, START))
+        for goal in (any_goal_receptacle(drive.bird_map, START), MostProbableReceptacle()(drive.bird_map, START))
         if goal is not None
     )
     assert nearest.path[-1][0] > 0.3
@@ -81,7 +82,7 @@ def test_a_goal_receptacle_seen_far_away_is_remembered_and_headed_for() -> None:
     boxes = (*room(-3.0, -3.0, 8.0, 3.0), far)
     baseline = Drive.begin(boxes, START)
     remembering = Drive.begin(boxes, START, map_config=MapConfig(class_depths=(3.5, 3.5, 10.0)))
-    first, found = baseline.step(FIND_RECEPTACLE), remembering.step(FIND_RECEPTACLE)
+    first, found = baseline.step(SEARCH.for_receptacle()), remembering.step(SEARCH.for_receptacle())
     assert first is not None and found is not None
     assert first[0].kind is GoalKind.FRONTIER
     goal, plan = found
@@ -93,8 +94,8 @@ def test_a_goal_receptacle_seen_far_away_is_remembered_and_headed_for() -> None:
 def test_a_goal_receptacle_on_the_map_is_remembered_by_both_agents() -> None:
     drive = Drive.begin((*ROOM, bed(-2.8, -1.0, -2.0, 1.0)), START)
     drive.boxes = ROOM
-    drive.run((frontier,), 10)
-    assert goal_receptacle(drive.bird_map, drive.base) is not None
+    drive.run((any_frontier,), 10)
+    assert any_goal_receptacle(drive.bird_map, drive.base) is not None
 
 
 # --- collision_mapping
@@ -139,10 +140,10 @@ def test_collisions_that_shut_the_robot_in_are_forgotten() -> None:
         pose = BasePose(0.0, 0.0, k * math.radians(10.0))
         ahead = pose.compose(BasePose(0.5, 0.0, 0.0))
         COLLISION_MAPPING.write(drive.bird_map, BlockedMotion(pose, (ahead.x, ahead.y), 1))
-    goal = goal_receptacle(drive.bird_map, drive.base)
+    goal = any_goal_receptacle(drive.bird_map, drive.base)
     assert goal is not None
     assert not drive.planner.plan(drive.bird_map, drive.base, goal).reachable
-    found = plan_first(drive.planner, drive.bird_map, drive.base, FIND_RECEPTACLE)
+    found = plan_first(drive.planner, drive.bird_map, drive.base, SEARCH.for_receptacle())
     assert found is not None
     assert found[1].reachable
     assert not drive.bird_map.felt.any()
@@ -185,7 +186,7 @@ def test_a_robot_that_is_stuck_on_its_way_to_the_goal_turns_to_a_frontier(
     sill = Box((1.0, -3.0, 0.0), (1.05, 3.0, 0.09))  # too low to be mapped, and across the whole room
     drive = Drive.begin((*room(-6.0, -3.0, 3.0, 3.0), sill, bed(2.2, -0.5, 2.9, 0.5)), START)
     drive.commitment = commitment
-    drive.run(FIND_RECEPTACLE, 90)
+    drive.run(SEARCH.for_receptacle(), 90)
     assert bool(min(base.x for base in drive.trail) < -1.0) is gets_on
     assert bool(commitment.left) is gets_on
 
@@ -221,13 +222,15 @@ def test_against_a_wall_only_the_free_sides_are_looked_at() -> None:
 
 # --- centre_approach
 
+before_centre = SearchConfig(approach=CentreApproach()).for_receptacle()[0]
+
 
 def test_the_robot_ends_before_the_centre_of_the_side_and_not_at_its_nearest_corner() -> None:
     counter = bed(-1.0, 2.3, 1.8, 2.98)
     ends = []
-    for choose in (goal_receptacle, CentreApproach(goal_receptacle)):
+    for choose in (any_goal_receptacle, before_centre):
         drive = Drive.begin((*ROOM, counter), BasePose(-2.0, 0.0, 0.0))
-        found = drive.run((choose, frontier), 80, arrived)
+        found = drive.run((choose, any_frontier), 80, arrived)
         assert found is not None
         assert found[1].reached
         ends.append(drive.base)
@@ -242,15 +245,15 @@ def test_a_side_that_is_partly_blocked_is_approached_at_the_middle_of_what_is_fr
     counter = bed(-1.0, 2.3, 1.8, 2.98)
     chair = Box((-1.0, 1.4, 0.0), (0.2, 2.2, 0.9))
     drive = Drive.begin((*ROOM, counter, chair), START)
-    drive.run((CentreApproach(goal_receptacle), frontier), 80, arrived)
+    drive.run((before_centre, any_frontier), 80, arrived)
     assert drive.base.x == pytest.approx(1.2, abs=0.4)
 
 
-def test_where_no_side_is_free_the_other_choice_stands() -> None:
+def test_where_no_side_is_free_the_goal_stays_as_it_is() -> None:
     drive = Drive.begin((*ROOM, bed(1.0, -0.3, 1.6, 0.3)), START)
     drive.bird_map.obstacle[:] |= disc_mask(drive.bird_map.shape, drive.bird_map.to_cell(1.3, 0.0), 16)
-    goal = CentreApproach(goal_receptacle)(drive.bird_map, drive.base)
-    plain = goal_receptacle(drive.bird_map, drive.base)
+    goal = before_centre(drive.bird_map, drive.base)
+    plain = any_goal_receptacle(drive.bird_map, drive.base)
     assert goal is not None
     assert plain is not None
     assert (goal.cells == plain.cells).all()
@@ -261,5 +264,5 @@ def test_without_a_receptacle_there_is_nothing_to_approach() -> None:
     observation = observe(ROOM, START)
     assert observation.truth is not None
     bird_map.update(observation, observation.truth, role_scores(INSTRUCTION))
-    choices = (MostProbableReceptacle(), CentreApproach(goal_receptacle), SurroundStartReceptacle())
+    choices = (MostProbableReceptacle(), before_centre, SurroundStartReceptacle())
     assert all(choose(bird_map, START) is None for choose in choices)

@@ -13,18 +13,19 @@ from uniteam.mind.agents.map_overlay import draw_overlay
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, disc_mask
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.exploration import (
-    FIND_OBJECT,
-    FIND_RECEPTACLE,
-    frontier,
-    goal_receptacle,
+    SearchConfig,
+    any_frontier,
+    any_goal_receptacle,
     start_receptacle_not_been_close,
 )
 from uniteam.mind.navigation.goals.frontier import FrontierConfig, find_frontiers
-from uniteam.mind.navigation.planning.planner import Planner, turn_exactly, turn_in_steps
+from uniteam.mind.navigation.planning.planner import Planner, PlannerConfig, turn_exactly, turn_in_steps
 from uniteam.mind.navigation.planning.traversible import traversible
+from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.navigation.window import window_around
 
 START = BasePose(0.0, 0.0, 0.0)
+SEARCH = SearchConfig()
 
 
 def wall(x0: float, y0: float, x1: float, y1: float) -> Box:
@@ -66,7 +67,7 @@ def test_at_the_goal_the_robot_faces_it_and_has_then_arrived() -> None:
 
 def test_the_robot_finds_the_object_through_a_door_and_stands_before_it() -> None:
     drive = Drive.begin((*TWO_ROOMS, BED, TABLE, CUP), START)
-    found = drive.run(FIND_OBJECT, 250, arrived)
+    found = drive.run(SEARCH.for_object(), 250, arrived)
     assert found is not None
     assert found[0].kind is GoalKind.OBJECT
     assert math.hypot(5.45 - drive.base.x, 1.35 - drive.base.y) < 0.9
@@ -86,7 +87,7 @@ def test_a_door_of_ninety_centimetres_is_passable_at_three_cells() -> None:
 
 def test_exploration_sees_every_corner_and_then_has_nothing_left() -> None:
     drive = Drive.begin((*TWO_ROOMS, BED), START)
-    assert drive.run((frontier,), 300) is None
+    assert drive.run((any_frontier,), 300) is None
     seen = [drive.bird_map.explored[drive.bird_map.to_cell(x, y)] for x in (-1.8, 0.5, 3.0, 5.5) for y in (-1.7, 1.7)]
     assert all(seen)
 
@@ -102,10 +103,10 @@ def test_frontiers_are_where_the_view_ends_and_not_behind_walls() -> None:
 
 def test_the_goal_receptacle_comes_before_frontiers_once_it_is_known() -> None:
     drive = Drive.begin((*TWO_ROOMS, BED), START)
-    first = drive.step(FIND_RECEPTACLE)
+    first = drive.step(SEARCH.for_receptacle())
     assert first is not None
     assert first[0].kind is GoalKind.FRONTIER
-    found = drive.run(FIND_RECEPTACLE, 200, arrived)
+    found = drive.run(SEARCH.for_receptacle(), 200, arrived)
     assert found is not None
     assert found[0].kind is GoalKind.GOAL_RECEPTACLE
     assert drive.base.x > 4.8
@@ -172,8 +173,8 @@ def test_turns_come_in_thirty_degrees_or_exactly() -> None:
 
 
 def test_nothing_to_head_for_is_none() -> None:
-    assert goal_receptacle(BirdsEyeMap(), START) is None
-    assert frontier(BirdsEyeMap(), START) is None
+    assert any_goal_receptacle(BirdsEyeMap(), START) is None
+    assert any_frontier(BirdsEyeMap(), START) is None
 
 
 def test_the_overlay_shows_walls_path_and_goal_where_they_are() -> None:
@@ -191,3 +192,17 @@ def test_the_overlay_shows_walls_path_and_goal_where_they_are() -> None:
     assert label(-2.8, 0.0) == MapLabel.UNKNOWN
     assert overlay.path[0] == pytest.approx((0.0, 0.0), abs=0.05)
     assert len(overlay.goal) == goal.cells.sum()
+
+
+def test_true_radius_keeps_a_wider_berth_than_the_baseline_where_there_is_room_and_none_where_there_is_not() -> None:
+    careful = PlannerConfig(dilations=true_radius(0.05))
+    post = wall(1.2, -0.1, 1.4, 0.1)
+    berths = []
+    for config in (PlannerConfig(), careful):
+        drive = Drive.begin((*room(-3.0, -3.0, 4.0, 3.0), post), START, config)
+        plan = drive.planner.plan(drive.bird_map, drive.base, goal_at(drive.bird_map, 3.0, 0.0))
+        berths.append(min(clearance((post,), BasePose(x, y, 0.0)) for x, y in plan.path))
+    assert berths[0] < 0.25
+    assert berths[1] > 0.28
+    assert true_radius(0.05) == (6, 5, 4, 3, 2, 1)
+    assert true_radius(0.1) == (3, 2, 1)
