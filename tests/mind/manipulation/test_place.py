@@ -89,7 +89,7 @@ def test_checked_arm_path_goes_over_or_around_a_lamp_that_the_baseline_hits() ->
     goal = table(0.5, height=0.7)
     lamp = Box((0.55, -0.1, 0.7), (0.65, 0.1, 1.3))
     worlds = [ArmWorld((goal, lamp), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
-    place_in(worlds[0], config("stepwise_place", "level_wrist"))
+    place_in(worlds[0], config())
     place_in(worlds[1], config("stepwise_place", "level_wrist", "checked_arm_path"))
     assert worlds[0].hits
     assert is_over(worlds[1], goal)
@@ -133,22 +133,6 @@ def test_headroom_offers_no_walls_that_the_baseline_offers() -> None:
     assert on_wall[0] > 0
     assert on_wall[1] == 0
     assert len(offered[1]) == 50
-
-
-@pytest.mark.parametrize("others", [(), ("edge_margin",)])
-def test_flat_ground_prefers_a_seat_to_a_slope_that_is_seen_as_densely(others: tuple[str, ...]) -> None:
-    """The slope has a few more points to a square, and both are as wide."""
-    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(0.0, 0.5, 0.01), np.arange(0.0, 0.5, 0.01)))
-    seat = np.column_stack([x, y, np.full(len(x), 0.5)])
-    slope = np.column_stack([np.tile(x, 2) + 1.0, np.tile(y, 2), 0.5 + 0.25 * np.tile(x, 2)])
-    cloud = np.concatenate([seat, slope]).astype(np.float32)
-
-    def share_on_seat(settings: PlaceConfig) -> float:
-        bests = [settings.choose_points(cloud, CUP_LOAD, np.random.default_rng(seed)) for seed in range(12)]
-        return float(np.mean([best.points[best.best_first()[0]][0] < 0.75 for best in bests]))
-
-    assert share_on_seat(config(*others)) < 0.9
-    assert share_on_seat(config(*others, "flat_ground")) == 1.0
 
 
 def test_surface_fallback_uses_a_flat_surface_where_the_baseline_lets_go_blindly() -> None:
@@ -206,14 +190,3 @@ def test_level_wrist_gets_over_a_counter_that_a_hanging_gripper_hits() -> None:
     assert worlds[0].hits
     assert worlds[1].hits == []
     assert is_over(worlds[1], counter)
-
-
-def test_checked_arm_path_does_without_stepwise_place() -> None:
-    """One drive, one point: the arm goes over the box that stands before it."""
-    goal, box = table(0.6, height=0.4), Box((0.5, -0.7, 0.4), (0.6, 0.7, 0.85))
-    worlds = [ArmWorld((goal, box), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
-    place_in(worlds[0], config())
-    place_in(worlds[1], config("checked_arm_path"))
-    assert worlds[0].hits
-    assert worlds[1].hits == []
-    assert is_over(worlds[1], goal)
