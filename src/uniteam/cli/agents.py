@@ -9,7 +9,8 @@ from rich.table import Table
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import UniteamError
 from uniteam.evaluation.agent_spec import AGENTS
-from uniteam.mind.agents.improvements import IMPROVEMENTS
+from uniteam.mind.agents.config import BASELINE, AgentConfig
+from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, improved
 from uniteam.mind.perception.registry import PERCEPTIONS
 from uniteam.registry import Registry
 from uniteam.world.generation.registry import HOMES
@@ -35,23 +36,38 @@ def agents() -> None:
         table.add_column("what it is", overflow="fold")
         table.add_column("from", overflow="fold")
         for name, source in registry.sources().items():
-            table.add_row(f"[bold]{shown(name)}[/]", _summary(registry, name), f"[dim]{shown(source)}[/]")
+            table.add_row(f"[bold]{shown(name)}[/]", shown(_summary(registry, name)), f"[dim]{shown(source)}[/]")
         console.print(table)
         console.print()
 
 
 def names_help() -> str:
     """Return the names that the options of `evaluate` and `run` take, for their help."""
-    listed = [f"{title.capitalize()}: {', '.join(SECTIONS[title].names())}." for title in ("agents", "perceptions")]
-    listed += ["Improvements:", *(f"  {name}: {_summary(IMPROVEMENTS, name)}" for name in IMPROVEMENTS.names())]
-    return "\n".join(listed)
+    named = [f"{title.capitalize()}: {', '.join(SECTIONS[title].names())}." for title in ("agents", "perceptions")]
+    explained = "\n".join(f"  {name}: {_summary(IMPROVEMENTS, name)}" for name in IMPROVEMENTS.names())
+    return "\n\n".join([*named, f"Improvements:\n{explained}"])
 
 
 def _summary(registry: Registry[Any], name: str) -> str:
-    """Return a value's own summary or the first line of its docstring, or why it cannot be had."""
+    """Return what a value is: in its own words, by what it has, or why it cannot be had."""
     try:
         value = registry.get(name)
     except UniteamError as error:
-        return f"[red]{shown(error)}[/]"
-    told = value.func if isinstance(value, partial) else value
-    return shown(getattr(told, "summary", None) or (inspect.getdoc(told) or "").partition("\n")[0])
+        return f"cannot be used: {error}"
+    if isinstance(value, AgentConfig):
+        return f"the heuristic agent {_difference(value)}"
+    if isinstance(value, partial):
+        return f"{_first_line(value.func)} ({', '.join(f'{key} {word}' for key, word in value.keywords.items())})"
+    return str(getattr(value, "summary", None) or _first_line(value))
+
+
+def _difference(config: AgentConfig) -> str:
+    """Return in words what a configuration has that the baseline has not."""
+    for improvements in ((), REPORT, (*REPORT, *BEYOND)):
+        if config == improved(BASELINE, improvements):
+            return f"with {len(improvements)} improvements" if improvements else "as HomeRobot has it"
+    return "with values of its own"
+
+
+def _first_line(value: object) -> str:
+    return (inspect.getdoc(value) or "").partition("\n")[0]

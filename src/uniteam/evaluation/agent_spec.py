@@ -77,11 +77,16 @@ def label_agents(
         effective = AgentSpec(
             name,
             perception,
-            tuple(a for a in added if replace(plain, added=(a,)).describe() != plain.describe()),
-            tuple(r for r in removed if replace(plain, removed=(r,)).describe() != plain.describe()),
+            tuple(a for a in added if _config(replace(plain, added=(a,))) != _config(plain)),
+            tuple(r for r in removed if _config(replace(plain, removed=(r,))) != _config(plain)),
         )
         labelled[_label(effective)] = effective
     return labelled
+
+
+def _config(spec: AgentSpec) -> object:
+    """Return what an improvement can change: an agent that has no configuration stays as it is."""
+    return spec.describe()["config"]
 
 
 def _label(spec: AgentSpec) -> str:
