@@ -97,7 +97,7 @@ def test_an_installed_agent_perception_and_improvement_play_in_worker_processes(
     played = results(tmp_path)
     assert {row["agent"] for row in played} == {"spinner", "uniteam with careful"}
     assert [row["measures"]["num_steps"] for row in played if row["agent"] == "spinner"] == [6, 6]
-    assert not any(row["measures"]["find_object_phase_success"] for row in played if row["agent"] != "spinner")
+    assert not any(row["measures"]["pick_object_phase_success"] for row in played if row["agent"] != "spinner")
     assert not any(row["traceback"] for row in played)
 
 
