@@ -20,7 +20,7 @@ from uniteam.errors import UniteamError
 from uniteam.kernel_cache import VARIABLE, cache_folder
 
 OLDEST_PYTHON = (3, 11)
-PACKAGES = ("numpy", "numba", "mujoco", "opencv-python-headless", "av", "tyro", "rich")
+PACKAGES = ("numpy", "numba", "msgspec", "mujoco", "opencv-python-headless", "av", "tyro", "rich")
 SMALLEST_MEMORY = 3.0
 """GB: two workers and what else there is."""
 
