@@ -113,4 +113,5 @@ def interruptible() -> Iterator[None]:
         yield
     finally:
         for number, handler in before.items():
-            signal.signal(number, handler)
+            if handler is not None:  # not Python's own
+                signal.signal(number, handler)
