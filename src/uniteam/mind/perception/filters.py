@@ -21,6 +21,8 @@ Filter = Callable[[Segmentation, Observation, Instruction], Segmentation]
 class Thresholds:
     """The lowest score that is believed, by what a class is to the instruction, or by its name where that is known.
 
+    The baseline has one for everything, UniTeam's `class_thresholds` one for each role.
+
     Attributes:
         by_role: of the instruction's classes.
         other: of every other class.
@@ -64,7 +66,7 @@ class ScoreFilter:
 
 @dataclass(frozen=True)
 class FloorFilter:
-    """Drops what lies on the floor: receptacles that end below a height, and objects that begin at it.
+    """Drops what lies on the floor, receptacles that end below a height and objects that begin at it: `floor_filter`.
 
     Attributes:
         lowest_receptacle: a receptacle whose highest seen part is lower (m above the floor) is dropped.
