@@ -5,6 +5,8 @@ import math
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from importlib.resources import files
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -172,27 +174,39 @@ def test_blind_eyes_lead_to_exploring_and_in_the_end_to_giving_up(config: AgentC
     assert "give up" in decisions[-1].reason
 
 
-def test_a_robot_that_is_blocked_by_what_it_cannot_see_gets_away_with_goal_or_frontier_and_step_aside() -> None:
-    """An invisible wall stands before the table: the baseline drives at it for ever."""
+@dataclass
+class InvisibleWall(ArmWorld):
+    """A wall before the table that blocks the robot and that no camera sees.
 
-    @dataclass
-    class InvisibleWall(ArmWorld):
-        blocked: int = 0
+    Attributes:
+        in_a_row: how many drives have been blocked one after the other.
+        longest: the most that there were in a row.
+    """
 
-        def do(self, action: Action) -> None:
-            before = self.base
-            super().do(action)
-            if self.base.x > 0.6 and -0.6 < self.base.y < 0.6 and isinstance(action, BaseDisplacement) and action.x:
-                self.base, self.blocked = before, self.blocked + 1
+    in_a_row: int = 0
+    longest: int = 0
 
-    config = replace(BASELINE, first_turns=0)
-    worlds = [InvisibleWall((*ROOM, TABLE, CUP), BasePose(0.0, 0.0, 0.0), camera=CAMERA) for _ in range(2)]
-    stuck = drive(HeuristicAgent(config, Eyes(see_truth)), worlds[0], 120)
-    free = drive(HeuristicAgent(improved(config, {"goal_or_frontier", "step_aside"}), Eyes(see_truth)), worlds[1], 120)
-    assert not any("step aside" in decision.reason for decision in stuck)
-    assert any("step aside" in decision.reason for decision in free)
-    assert worlds[0].held is None
-    assert worlds[1].held is not None
+    def do(self, action: Action) -> None:
+        before = self.base
+        super().do(action)
+        if not (isinstance(action, BaseDisplacement) and action.x):
+            return
+        is_blocked = self.base.x > 0.6 and -0.6 < self.base.y < 0.6
+        self.base = before if is_blocked else self.base
+        self.in_a_row = self.in_a_row + 1 if is_blocked else 0
+        self.longest = max(self.longest, self.in_a_row)
+
+
+def drive_at_the_wall(*improvements: str, boxes: tuple[Box, ...]) -> tuple[InvisibleWall, list[Decision]]:
+    world = InvisibleWall(boxes, BasePose(0.0, 0.0, 0.0), camera=CAMERA)
+    config = improved(replace(BASELINE, first_turns=0), improvements)
+    return world, drive(HeuristicAgent(config, Eyes(see_truth)), world, 120)
+
+
+def test_goal_or_frontier_gets_to_the_object_where_the_baseline_drives_at_an_invisible_wall_for_ever() -> None:
+    boxes = (*ROOM, TABLE, CUP)
+    assert drive_at_the_wall(boxes=boxes)[0].held is None
+    assert drive_at_the_wall("goal_or_frontier", boxes=boxes)[0].held is not None
 
 
 def test_one_seed_gives_one_trace_and_another_seed_another() -> None:
@@ -223,6 +237,14 @@ def test_the_report_has_fourteen_improvements_and_each_of_all_changes_the_baseli
         assert improvement.summary and IMPROVEMENTS.get(improvement.name) is improvement
 
 
+def test_the_order_in_which_improvements_are_applied_makes_no_difference() -> None:
+    backwards = BASELINE
+    for improvement in reversed((*REPORT, *BEYOND)):
+        backwards = improvement.apply(backwards)
+    assert backwards == PLUS
+    assert improved(BASELINE, [i.name for i in (*BEYOND, *REPORT)]) == PLUS
+
+
 @pytest.mark.parametrize("improvement", (*REPORT, *BEYOND), ids=lambda improvement: improvement.name)
 def test_an_improvement_does_not_fit_where_it_has_been_applied_already(improvement: Improvement) -> None:
     with pytest.raises(ImprovementError, match=improvement.name):
@@ -249,6 +271,14 @@ def test_an_improvement_that_makes_no_configuration_is_refused() -> None:
     forgetful = Improvement("forgetful", "returns nothing", lambda config: None)  # type: ignore[arg-type,return-value]
     with pytest.raises(ImprovementError, match="'forgetful' must return an AgentConfig, but returned NoneType"):
         improved(BASELINE, [forgetful])
+
+
+def test_every_improvement_can_be_found_by_its_name_where_it_is_done() -> None:
+    mind = Path(str(files("uniteam.mind")))
+    text = "".join(p.read_text() for p in mind.rglob("*.py") if p.parent.name != "agents") + " ".join(
+        p.name for p in mind.rglob("*.py")
+    )
+    assert [i.name for i in (*REPORT, *BEYOND) if i.name not in text] == []
 
 
 def test_any_mixture_can_be_named_from_either_end() -> None:

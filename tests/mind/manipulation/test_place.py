@@ -16,6 +16,7 @@ from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.place.place import PlaceConfig, place
 from uniteam.mind.manipulation.place.placing_points import PointRule
 from uniteam.mind.skills.view import Points
+from uniteam.stretch import NAVIGATION_POSTURE
 
 INSTRUCTION = Instruction("cup", "sofa", "table")
 CUP = Box((0.0, 0.0, 0.0), (0.08, 0.08, 0.1), "cup")
@@ -135,6 +136,24 @@ def test_headroom_offers_no_walls_that_the_baseline_offers() -> None:
     assert len(offered[1]) == 50
 
 
+@pytest.mark.parametrize(("others", "width", "depth"), [((), 0.4, 0.2), (("edge_margin",), 0.26, 0.5)])
+def test_flat_ground_prefers_a_seat_to_a_hollow_that_is_seen_more_densely_or_is_wider(
+    others: tuple[str, ...], width: float, depth: float
+) -> None:
+    ticks = np.arange(0.0, 0.5, 0.01)
+    x, y = (axis.ravel() for axis in np.meshgrid(ticks, ticks))
+    seat = np.column_stack([x, y, np.full(len(x), 0.5)])[x < width]
+    hollow = np.column_stack([x + 1.0, y, 0.5 + 1.2 * np.abs(x - 0.25)])[y < depth]
+    cloud = np.concatenate([seat, np.tile(hollow, (5, 1))]).astype(np.float32)
+
+    def share_on_seat(settings: PlaceConfig) -> float:
+        bests = [settings.choose_points(cloud, CUP_LOAD, np.random.default_rng(seed)) for seed in range(12)]
+        return float(np.mean([best.points[best.best_first()[0]][0] < 0.75 for best in bests]))
+
+    assert share_on_seat(config(*others)) < 0.5
+    assert share_on_seat(config(*others, "flat_ground")) > 0.7
+
+
 def test_surface_fallback_uses_a_flat_surface_where_the_baseline_lets_go_blindly() -> None:
     """No table is detected: the baseline stretches past the narrow desk, the improvement puts down on it."""
     desk = Box((0.42, -0.4, 0.0), (0.62, 0.4, 0.8), "desk")
@@ -190,3 +209,27 @@ def test_level_wrist_gets_over_a_counter_that_a_hanging_gripper_hits() -> None:
     assert worlds[0].hits
     assert worlds[1].hits == []
     assert is_over(worlds[1], counter)
+
+
+def test_checked_arm_path_does_without_stepwise_place() -> None:
+    """One drive, one point: the arm goes over the box that stands at the table's edge."""
+    goal, box = table(0.6, depth=0.3, height=0.4), Box((0.6, -0.7, 0.4), (0.63, 0.7, 0.5))
+    worlds = [ArmWorld((goal, box), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    tall, load = Box((0.0, 0.0, 0.0), (0.08, 0.08, 0.35), "cup"), Load(0.04, 0.04, 0.35)
+    place_in(worlds[0], config(), load, tall)
+    place_in(worlds[1], config("checked_arm_path"), load, tall)
+    assert worlds[0].hits
+    assert worlds[1].hits == []
+    assert is_over(worlds[1], goal)
+
+
+def test_more_attempts_keeps_hold_where_no_receptacle_is_seen_and_the_baseline_lets_go() -> None:
+    worlds = [ArmWorld((), BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    for world, settings in zip(worlds, (config(), config("more_attempts")), strict=True):
+        world.held = CUP
+        context = settings.context(CUP_LOAD, np.random.default_rng(5))
+        is_last = settings.attempts == 1
+        play(world, INSTRUCTION, lambda view, c=context, s=settings, last=is_last: place(view, c, s, last))
+    assert worlds[0].released is not None
+    assert worlds[1].held is CUP
+    assert worlds[1].joints == NAVIGATION_POSTURE
