@@ -145,10 +145,10 @@ def play(world: ArmWorld, instruction: Instruction, begin: Callable[[View], Skil
     skill = begin(world.view(instruction))
     actions = []
     try:
-        step = next(skill)
+        wanted = next(skill)
         while True:
-            actions.append(step.action)
-            world.do(step.action)
-            step = skill.send(world.view(instruction))
+            actions.append(wanted.action)
+            world.do(wanted.action)
+            wanted = skill.send(world.view(instruction))
     except StopIteration as end:
         return end.value, actions

@@ -9,11 +9,11 @@ from worlds.box_world import Box, move, observe
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import DiscreteAction, Instruction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig
-from uniteam.mind.mapping.class_role import role_scores
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
 from uniteam.mind.navigation.planning.planner import Plan, Planner, PlannerConfig
+from uniteam.mind.perception.vocabulary import role_scores
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(120, 160, math.radians(42.0))
 INSTRUCTION = Instruction("cup", "table", "bed")
@@ -55,7 +55,10 @@ class Drive:
     def step(self, choices: Sequence[ChooseGoal]) -> tuple[Goal, Plan] | None:
         """Plan, move and look; return what was planned."""
         found = plan_first(self.planner, self.bird_map, self.base, self.commitment.choices(choices))
-        if found is not None:
+        if found is None or not self.planner.leads_on(found[1]):
+            found = None
+        else:
+            self.planner.begin(found[1], self.bird_map, self.base)
             self.commitment.follow(self.base, found[1])
             after = move(self.boxes, self.base, found[1].action)
             self.blocked += found[1].action is DiscreteAction.MOVE_FORWARD and after == self.base

@@ -2,6 +2,7 @@
 
 import json
 import math
+import pickle
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -326,3 +327,8 @@ def test_truth_is_needed_by_the_perception_of_that_name() -> None:
     seen = observe((TABLE,), BasePose(0.0, 0.0, 0.0))
     with pytest.raises(InvalidInputError):
         agent.act(Observation(**{**vars(seen), "truth": None}))
+
+
+def test_an_agent_that_may_be_in_the_midst_of_a_skill_says_what_to_send_in_its_place() -> None:
+    with pytest.raises(TypeError, match="send its AgentConfig or AgentSpec instead"):
+        pickle.dumps(make_agent("baseline"))

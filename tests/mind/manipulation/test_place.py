@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -228,8 +229,8 @@ def test_more_attempts_keeps_hold_where_no_receptacle_is_seen_and_the_baseline_l
     for world, settings in zip(worlds, (config(), config("more_attempts")), strict=True):
         world.held = CUP
         context = settings.context(CUP_LOAD, np.random.default_rng(5))
-        is_last = settings.attempts == 1
-        play(world, INSTRUCTION, lambda view, c=context, s=settings, last=is_last: place(view, c, s, last))
+        begin = partial(place, context=context, config=settings, is_last=settings.attempts == 1)
+        play(world, INSTRUCTION, begin)
     assert worlds[0].released is not None
     assert worlds[1].held is CUP
     assert worlds[1].joints == NAVIGATION_POSTURE

@@ -9,7 +9,7 @@ from worlds.box_world import CAMERA, Box, observe, room
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig
-from uniteam.mind.mapping.class_role import ClassRole, role_scores
+from uniteam.mind.perception.vocabulary import ClassRole, role_scores
 
 START = BasePose(0.0, 0.0, 0.0)
 ROLES = role_scores(Instruction("cup", "table", "bed"))

@@ -6,10 +6,10 @@ from worlds.box_world import Box, observe
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
-from uniteam.mind.mapping.class_role import role_scores
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import any_goal_receptacle
 from uniteam.mind.navigation.goals.failed_attempts import Miss, Misses
+from uniteam.mind.perception.vocabulary import role_scores
 
 BED = Box((1.5, -0.5, 0.0), (2.5, 0.5, 0.5), "bed")
 WALL = Box((1.25, -2.0, 0.0), (1.35, 0.6, 2.5))

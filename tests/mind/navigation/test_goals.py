@@ -9,7 +9,6 @@ from worlds.driving import INSTRUCTION, Drive, arrived
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig, disc_mask
-from uniteam.mind.mapping.class_role import ClassRole, role_scores
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
 from uniteam.mind.navigation.goals.exploration import (
@@ -32,6 +31,7 @@ from uniteam.mind.navigation.planning.collision_mapping import (
 from uniteam.mind.navigation.planning.planner import PlannerConfig
 from uniteam.mind.navigation.planning.traversible import traversible
 from uniteam.mind.navigation.window import window_around
+from uniteam.mind.perception.vocabulary import ClassRole, role_scores
 
 START = BasePose(0.0, 0.0, 0.0)
 SEARCH = SearchConfig()
@@ -117,6 +117,7 @@ def test_a_passage_that_proved_too_narrow_is_not_tried_again(collisions: Collisi
         collisions.write(drive.bird_map, BlockedMotion(BasePose(0.35, 0.0, 0.0), (0.6, 0.0), k + 1))
     before = drive.bird_map.collision.sum()
     plan = drive.planner.plan(drive.bird_map, drive.base, goal)
+    drive.planner.begin(plan, drive.bird_map, drive.base)
     assert plan.reachable is tries_again
     assert drive.bird_map.collision.sum() == (0 if tries_again else before)
 

@@ -1,5 +1,6 @@
 """Planning and exploring, driven in a world of boxes by what the robot sees."""
 
+import copy
 import math
 
 import numpy as np
@@ -8,7 +9,7 @@ from worlds.box_world import Box, clearance, room
 from worlds.driving import Drive, arrived
 
 from uniteam.geometry import BasePose
-from uniteam.interface import BaseDisplacement, DiscreteAction, MapLabel
+from uniteam.interface import DiscreteAction, MapLabel
 from uniteam.mind.agents.map_overlay import draw_overlay
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, disc_mask
 from uniteam.mind.navigation.goal import Goal, GoalKind
@@ -19,7 +20,7 @@ from uniteam.mind.navigation.goals.exploration import (
     start_receptacle_not_been_close,
 )
 from uniteam.mind.navigation.goals.frontier import FrontierConfig, find_frontiers
-from uniteam.mind.navigation.planning.planner import Planner, PlannerConfig, turn_exactly, turn_in_steps
+from uniteam.mind.navigation.planning.planner import Planner, PlannerConfig, turn_in_steps
 from uniteam.mind.navigation.planning.traversible import traversible
 from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.navigation.window import window_around
@@ -144,32 +145,46 @@ def test_dilation_shrinks_where_there_is_no_other_way() -> None:
 
 def test_a_blocked_forward_motion_leaves_a_patch_of_collision_ahead() -> None:
     drive = Drive.begin(room(-3.0, -3.0, 3.0, 3.0), START)
-    goal = goal_at(drive.bird_map, 2.0, 0.0)
-    assert drive.planner.plan(drive.bird_map, drive.base, goal).action is DiscreteAction.MOVE_FORWARD
+    plan = drive.planner.plan(drive.bird_map, drive.base, goal_at(drive.bird_map, 2.0, 0.0))
+    assert plan.action is DiscreteAction.MOVE_FORWARD
+    drive.planner.begin(plan, drive.bird_map, drive.base)
     assert not drive.bird_map.collision.any()
     drive.look()
-    drive.planner.plan(drive.bird_map, drive.base, goal)
+    for _ in range(2):
+        drive.planner.notice(drive.bird_map, drive.base)
     points = drive.bird_map.points_of(drive.bird_map.collision)
     assert drive.planner.blocked_in_a_row == 1
     assert np.hypot(points[:, 0], points[:, 1]) == pytest.approx(0.22, abs=0.08)
 
 
-def test_a_second_plan_in_the_same_step_is_no_collision_nor_is_a_step_of_somebody_else() -> None:
+def test_planning_changes_neither_the_map_nor_the_planner() -> None:
     drive = Drive.begin(room(-3.0, -3.0, 3.0, 3.0), START)
     goal = goal_at(drive.bird_map, 2.0, 0.0)
-    drive.planner.plan(drive.bird_map, drive.base, goal)
-    drive.planner.plan(drive.bird_map, drive.base, goal)
-    drive.planner.interrupt()
-    drive.look()
-    drive.planner.plan(drive.bird_map, drive.base, goal)
+    drive.bird_map.mark_collision(np.array([[0.8, y] for y in np.arange(-12.0, 12.0, 0.05)]))
+    before, marked = copy.deepcopy(vars(drive.planner)), drive.bird_map.collision.copy()
+    first, second = (drive.planner.plan(drive.bird_map, drive.base, goal) for _ in range(2))
+    assert first.is_daring and second.is_daring
+    assert (first.path == second.path).all()
+    assert vars(drive.planner) == before
+    assert (drive.bird_map.collision == marked).all()
+    drive.planner.begin(first, drive.bird_map, drive.base)
     assert not drive.bird_map.collision.any()
 
 
-def test_turns_come_in_thirty_degrees_or_exactly() -> None:
+def test_a_motion_of_somebody_else_is_no_collision() -> None:
+    drive = Drive.begin(room(-3.0, -3.0, 3.0, 3.0), START)
+    plan = drive.planner.plan(drive.bird_map, drive.base, goal_at(drive.bird_map, 2.0, 0.0))
+    drive.planner.begin(plan, drive.bird_map, drive.base)
+    drive.planner.interrupt()
+    drive.look()
+    drive.planner.notice(drive.bird_map, drive.base)
+    assert not drive.bird_map.collision.any()
+
+
+def test_turns_come_in_thirty_degrees() -> None:
     assert turn_in_steps(math.radians(14.0)) is None
     assert turn_in_steps(math.radians(-16.0)) is DiscreteAction.TURN_RIGHT
-    assert turn_exactly(math.radians(4.0)) is None
-    assert turn_exactly(0.2) == BaseDisplacement(heading=0.2)
+    assert turn_in_steps(math.radians(16.0)) is DiscreteAction.TURN_LEFT
 
 
 def test_nothing_to_head_for_is_none() -> None:

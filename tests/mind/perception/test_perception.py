@@ -9,11 +9,10 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import UNITEAM_THRESHOLDS, improved
-from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
 from uniteam.mind.perception.registry import make_perception
 from uniteam.mind.perception.truth import visible_truth
-from uniteam.mind.perception.vocabulary import roles_of
+from uniteam.mind.perception.vocabulary import ClassRole, roles_of
 
 INSTRUCTION = Instruction("cup", "table", "bed")
 TABLE = Box((1.0, -0.5, 0.0), (1.6, 0.5, 0.7), "table")

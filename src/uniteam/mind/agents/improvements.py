@@ -31,7 +31,7 @@ from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING
 from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
 from uniteam.mind.perception.vocabulary import ClassRole
-from uniteam.mind.skills.step_aside import BlockedOften
+from uniteam.mind.skills.step_aside import AfterBlockedMotions
 from uniteam.registry import Registry
 from uniteam.stretch import DEPTH_RANGE
 
@@ -224,7 +224,9 @@ REPORT: tuple[Improvement, ...] = (
 """The fourteen of the UniTeam report (arXiv 2312.08611), as it describes them."""
 
 BEYOND: tuple[Improvement, ...] = (
-    _replacing("step_aside", "blocked again and again, the robot steps aside at random", gives_way=BlockedOften()),
+    _replacing(
+        "step_aside", "blocked again and again, the robot steps aside at random", gives_way=AfterBlockedMotions()
+    ),
     Improvement("true_radius", "paths keep the base's true radius from obstacles where they can", _true_radius),
     _replacing(
         "tilt_head",

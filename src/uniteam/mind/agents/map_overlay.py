@@ -6,10 +6,10 @@ from numpy.typing import NDArray
 from uniteam.geometry import BasePose
 from uniteam.interface import MapLabel, MapOverlay
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask
-from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.planning.planner import Plan
 from uniteam.mind.navigation.window import Window, window_around
+from uniteam.mind.perception.vocabulary import ClassRole
 
 _NO_POINTS: NDArray[np.float64] = np.zeros((0, 2))
 

@@ -1,37 +1,28 @@
-"""Searching for something on the map and driving to it, one step at a time."""
+"""Searching for something on the map and driving to it: two skills that plan anew in every step."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum, auto
 
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.interface import Action, DiscreteAction
-from uniteam.mind.agents.blackboard import Memory
+from uniteam.interface import DiscreteAction
+from uniteam.mind.agents.blackboard import Blackboard
 from uniteam.mind.navigation.goal import Goal, GoalKind
-from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
+from uniteam.mind.navigation.goals.exploration import ChooseGoal, SearchConfig, plan_first
 from uniteam.mind.navigation.goals.failed_attempts import Misses
 from uniteam.mind.navigation.planning.planner import Plan
 from uniteam.mind.perception.vocabulary import ClassRole
-from uniteam.mind.skills.skill import Step
+from uniteam.mind.skills.skill import Move, Skill
 from uniteam.mind.skills.step_aside import step_aside
 from uniteam.mind.skills.view import View
 from uniteam.timing import section
 
 FULL_TURN = 12
 """Turns of 30 degrees."""
-BLOCKED_OFTEN = 3
-"""Forward motions that were blocked one after the other."""
 NEARLY_THERE = 0.6
-"""m along the path."""
-
-
-class Finding(Enum):
-    """What a step of a search knows."""
-
-    NOTHING = auto()
-    IN_SIGHT = auto()
-    GIVEN_UP = auto()
+"""m along the path: a robot that is blocked so near to its goal has it within the arm's reach."""
 
 
 @dataclass(frozen=True)
@@ -40,90 +31,118 @@ class Search:
 
     Attributes:
         target: the kind of goal that ends it.
-        role: the class that is searched for.
+        choices: what to head for, in order of preference.
+        misses: where it has been tried in vain.
     """
 
     target: GoalKind
-    role: ClassRole
+    choices: Callable[[SearchConfig], tuple[ChooseGoal, ...]]
+    misses: Callable[[Blackboard], Misses]
 
 
-OBJECT_SEARCH = Search(GoalKind.OBJECT, ClassRole.OBJECT)
-RECEPTACLE_SEARCH = Search(GoalKind.GOAL_RECEPTACLE, ClassRole.GOAL_RECEPTACLE)
+OBJECT_SEARCH = Search(GoalKind.OBJECT, SearchConfig.for_object, lambda board: board.object_misses)
+RECEPTACLE_SEARCH = Search(GoalKind.GOAL_RECEPTACLE, SearchConfig.for_receptacle, lambda board: board.place_misses)
 
 
-def look_for(search: Search, memory: Memory, view: View) -> tuple[Step | None, Finding]:
-    """Return the next step of a search, and what it knows; no step where the robot stands before what it searched."""
-    aside = _go_on_aside(memory, view)
-    if aside is not None:
-        return aside, Finding.NOTHING
-    base = view.observation.base_to_start
-    choices, misses = _choices(search, memory)
+class Approach(Enum):
+    """How an approach ended."""
+
+    ARRIVED = auto()
+    LOST = auto()
+    BLOCKED = auto()
+
+
+def look_around(board: Blackboard, view: View) -> Skill[View]:
+    """Turn once around."""
+    turns = board.config.first_turns
+    for turn in range(1, turns + 1):
+        reason = f"I look around first ({turn} of {turns} turns)."
+        view = yield Move(DiscreteAction.TURN_LEFT, reason)
+    return view
+
+
+def explore(board: Blackboard, view: View, search: Search) -> Skill[bool]:
+    """Drive to what may show the target until it is known, stepping aside where the way is blocked again and again.
+
+    Returns:
+        True once there is a target to head for; False once nothing is left that the robot can get to.
+    """
+    misses, idle_turns = search.misses(board), 0
+    while True:
+        found = _plan(board, view, search)
+        if found is not None and board.planner.leads_on(found[1]):
+            if found[0].kind is search.target:
+                return True
+            idle_turns = 0
+            move = _carry_out(board, view, *found)
+        else:
+            if found is not None:  # the robot stays blocked while it turns, and steps aside in the end
+                board.planner.begin(found[1], board.bird_map, view.observation.base_to_start)
+            idle_turns += 1
+            if idle_turns > FULL_TURN and not misses.made:
+                return False
+            if idle_turns > FULL_TURN:
+                idle_turns = 0
+                misses.forget()
+            reason = "Nothing is left that I can get to, so I look around again."
+            move = Move(DiscreteAction.TURN_LEFT, reason)
+        view = yield move
+        if board.config.gives_way(board.planner.blocked_in_a_row):
+            view = yield from get_away(board, view)
+
+
+def approach(board: Blackboard, view: View, search: Search) -> Skill[Approach]:
+    """Drive to the target and face it, as long as there is one to head for and the way is not blocked too often."""
+    while True:
+        found = _plan(board, view, search)
+        if found is None or found[0].kind is not search.target or not board.planner.leads_on(found[1]):
+            return Approach.LOST
+        goal, plan = found
+        move = _carry_out(board, view, goal, plan)
+        action = plan.action
+        if _is_stuck_before(board, plan):
+            action = board.planner.turn_to_face(board.bird_map, view.observation.base_to_start, goal)
+        if action is None:
+            board.planner.interrupt()
+            board.commitment.set_out()
+            return Approach.ARRIVED
+        view = yield Move(action, move.reason)
+        if board.config.gives_way(board.planner.blocked_in_a_row):
+            return Approach.BLOCKED
+
+
+def get_away(board: Blackboard, view: View) -> Skill[View]:
+    """Leave the place where the robot is blocked."""
+    board.planner.interrupt()
+    return (yield from step_aside(view, board.generator))
+
+
+def _plan(board: Blackboard, view: View, search: Search) -> tuple[Goal, Plan] | None:
+    misses = search.misses(board)
     with section("planner"):
-        choices = memory.commitment.choices([misses.avoided_by(choose) for choose in choices])
-        found = plan_first(memory.planner, memory.bird_map, base, choices)
-    if found is None:
-        return _look_again(memory, misses)
-    memory.idle_turns = 0
-    goal, plan = memory.goal, memory.plan = found
-    memory.commitment.follow(base, plan)
-    finding = Finding.IN_SIGHT if goal.kind is search.target else Finding.NOTHING
-    action = plan.action
-    if finding is Finding.IN_SIGHT and _is_stuck_before(plan, memory):
-        action = _turn_to_face(goal, memory, base)
-    if action is not None:
-        return Step(action, _reason(goal, plan, memory)), finding
-    if finding is Finding.IN_SIGHT:
-        memory.planner.interrupt()
-        memory.commitment.set_out()
-        return None, finding
-    return Step(DiscreteAction.TURN_LEFT, f"I have come to the {_words(goal, memory)} and look around."), finding
+        wanted = [misses.avoided_by(choose) for choose in search.choices(board.config.search)]
+        choices = board.commitment.choices(wanted)
+        return plan_first(board.planner, board.bird_map, view.observation.base_to_start, choices)
 
 
-def _go_on_aside(memory: Memory, view: View) -> Step | None:
-    """Return the next step aside, where the robot is blocked too often or has not done with stepping aside."""
-    if memory.detour is None and memory.config.gives_way(memory.planner.blocked_in_a_row):
-        memory.planner.interrupt()
-        memory.detour = step_aside(view, memory.generator)
-        return next(memory.detour)
-    try:
-        return None if memory.detour is None else memory.detour.send(view)
-    except StopIteration:
-        memory.detour = None
-        return None
-
-
-def _is_stuck_before(plan: Plan, memory: Memory) -> bool:
+def _is_stuck_before(board: Blackboard, plan: Plan) -> bool:
     """Whether the robot is blocked so near to what it searched that it has as good as arrived."""
-    return plan.reachable and memory.planner.blocked_in_a_row >= BLOCKED_OFTEN and plan.distance <= NEARLY_THERE
+    return plan.reachable and board.planner.is_blocked_often and plan.distance <= NEARLY_THERE
 
 
-def _turn_to_face(goal: Goal, memory: Memory, base: BasePose) -> Action | None:
-    """Return the turn that is missing to face the goal's nearest cell, or None."""
-    cells = goal.cells if goal.face is None else goal.face
-    points = memory.bird_map.to_points(np.argwhere(cells))
-    nearest = points[np.argmin(np.hypot(points[:, 0] - base.x, points[:, 1] - base.y))]
-    return memory.config.planner.face(base.bearing_to(*nearest))
+def _carry_out(board: Blackboard, view: View, goal: Goal, plan: Plan) -> Move:
+    """Begin a plan and return its move; a goal that has been reached is a place to look around at."""
+    base = view.observation.base_to_start
+    board.planner.begin(plan, board.bird_map, base)
+    board.goal, board.plan = goal, plan
+    board.commitment.follow(base, plan)
+    if plan.action is None:
+        return Move(DiscreteAction.TURN_LEFT, f"I have come to the {_words(board, goal)} and look around.")
+    return Move(plan.action, _reason(board, goal, plan))
 
 
-def _choices(search: Search, memory: Memory) -> tuple[tuple[ChooseGoal, ...], Misses]:
-    if search is OBJECT_SEARCH:
-        return memory.config.search.for_object(), memory.object_misses
-    return memory.config.search.for_receptacle(), memory.place_misses
-
-
-def _look_again(memory: Memory, misses: Misses) -> tuple[Step | None, Finding]:
-    """Turn once around where nothing is left to head for; then try again where an attempt has failed, or give up."""
-    memory.idle_turns += 1
-    if memory.idle_turns > FULL_TURN and not misses.made:
-        return None, Finding.GIVEN_UP
-    if memory.idle_turns > FULL_TURN:
-        memory.idle_turns = 0
-        misses.forget()
-    return Step(DiscreteAction.TURN_LEFT, "Nothing is left that I can get to, so I look around again."), Finding.NOTHING
-
-
-def _reason(goal: Goal, plan: Plan, memory: Memory) -> str:
-    what = _words(goal, memory)
+def _reason(board: Blackboard, goal: Goal, plan: Plan) -> str:
+    what = _words(board, goal)
     if plan.short_term_goal is None:
         return f"I am at the {what} and turn to face it."
     if goal.kind is GoalKind.FRONTIER:
@@ -132,8 +151,8 @@ def _reason(goal: Goal, plan: Plan, memory: Memory) -> str:
     return f"I know of the {what} and drive there{nearly} ({plan.distance:.1f} m to go)."
 
 
-def _words(goal: Goal, memory: Memory) -> str:
-    instruction = memory.instruction
+def _words(board: Blackboard, goal: Goal) -> str:
+    instruction = board.instruction
     names = {
         GoalKind.OBJECT: instruction.object_category,
         GoalKind.START_RECEPTACLE: instruction.start_receptacle,

@@ -1,18 +1,29 @@
-"""The state machine that joins the skills: a state is a function from what is known to what to do and what is next."""
+"""The state machine that joins the skills: it runs exactly one, whose end says which comes next."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
+from functools import partial
 
-from uniteam.interface import Action, DiscreteAction
-from uniteam.mind.agents.blackboard import Memory
-from uniteam.mind.agents.search import OBJECT_SEARCH, RECEPTACLE_SEARCH, Finding, faced_point, look_for
-from uniteam.mind.manipulation.pick.pick import PickResult, pick
+from uniteam.interface import DiscreteAction
+from uniteam.mind.agents.blackboard import Blackboard
+from uniteam.mind.agents.search import (
+    OBJECT_SEARCH,
+    RECEPTACLE_SEARCH,
+    Approach,
+    Search,
+    approach,
+    explore,
+    faced_point,
+    get_away,
+    look_around,
+)
+from uniteam.mind.manipulation.arm_clearance import Load
+from uniteam.mind.manipulation.pick.pick import pick
 from uniteam.mind.manipulation.place.place import place
 from uniteam.mind.navigation.goals.failed_attempts import Miss
 from uniteam.mind.perception.vocabulary import ClassRole
-from uniteam.mind.skills.skill import Skill, Step
+from uniteam.mind.skills.skill import Move, Skill
 from uniteam.mind.skills.view import View
 
 
@@ -30,121 +41,121 @@ class State(Enum):
 
 
 @dataclass(frozen=True)
-class Move:
-    """What a state decides.
+class Phase:
+    """A state that is to come.
 
     Attributes:
-        state: what the agent is about now; it decides the next step too.
-        action: what to do; None lets `state` decide within the same step.
-        reason: one sentence of why.
+        state: its name.
+        begin: returns its skill, whose result is the phase after it.
     """
 
     state: State
-    action: Action | None = None
-    reason: str = ""
+    begin: Callable[[Blackboard, View], Skill["Phase"]]
 
 
-StateFunction = Callable[[Memory, View], Move]
+@dataclass(frozen=True)
+class Running:
+    """A state that has begun, and its skill."""
+
+    state: State
+    skill: Skill[Phase]
 
 
-def look_around(memory: Memory, view: View) -> Move:
-    """Turn once around."""
-    if memory.turns == memory.config.first_turns:
-        return Move(State.FIND_OBJECT)
-    memory.turns += 1
-    reason = f"I look around first ({memory.turns} of {memory.config.first_turns} turns)."
-    return Move(State.LOOK_AROUND, DiscreteAction.TURN_LEFT, reason)
+class StateMachine:
+    """Carries out one phase after the other, from looking around to the end."""
+
+    def __init__(self) -> None:
+        """Stand before the first phase."""
+        self._current: Phase | Running = Phase(State.LOOK_AROUND, _look_around)
+
+    def decide(self, board: Blackboard, view: View) -> tuple[State, Move]:
+        """Return what the agent is about now and its move; where a skill ends without one, the next one begins."""
+        for _ in range(2 * len(State)):
+            try:
+                return self._advance(board, view)
+            except StopIteration as end:
+                self._current = end.value
+        return self._current.state, Move(DiscreteAction.EMPTY_ACTION, "I do not know what to do, so I wait.")
+
+    def _advance(self, board: Blackboard, view: View) -> tuple[State, Move]:
+        if isinstance(self._current, Running):
+            return self._current.state, self._current.skill.send(view)
+        self._current = Running(self._current.state, self._current.begin(board, view))
+        return self._current.state, next(self._current.skill)
 
 
-def find_object(memory: Memory, view: View) -> Move:
-    """Explore until the object is seen on its receptacle, then go and stand before it."""
-    step, finding = look_for(OBJECT_SEARCH, memory, view)
-    return _after_search(finding, step, (State.FIND_OBJECT, State.NAVIGATE_TO_OBJECT, State.PICK))
+def _look_around(board: Blackboard, view: View) -> Skill[Phase]:
+    yield from look_around(board, view)
+    return _FETCH.find
 
 
-def find_receptacle(memory: Memory, view: View) -> Move:
-    """Explore until a goal receptacle is known, then go and stand before it."""
-    step, finding = look_for(RECEPTACLE_SEARCH, memory, view)
-    return _after_search(finding, step, (State.FIND_RECEPTACLE, State.NAVIGATE_TO_RECEPTACLE, State.PLACE))
+@dataclass(frozen=True)
+class _Errand:
+    """Exploring for something, going to it, and what is done there.
+
+    Attributes:
+        search: what is searched for.
+        states: while it is searched for, and while the robot goes to it.
+        arrived: what comes then.
+    """
+
+    search: Search
+    states: tuple[State, State]
+    arrived: Phase
+
+    @property
+    def find(self) -> Phase:
+        """The phase with which it begins."""
+        return Phase(self.states[0], self._find)
+
+    def _find(self, board: Blackboard, view: View) -> Skill[Phase]:
+        is_known = yield from explore(board, view, self.search)
+        return Phase(self.states[1], self._go_there) if is_known else _GIVE_UP
+
+    def _go_there(self, board: Blackboard, view: View) -> Skill[Phase]:
+        end = yield from approach(board, view, self.search)
+        if end is Approach.ARRIVED:
+            return self.arrived
+        return Phase(self.states[0], self._get_away) if end is Approach.BLOCKED else self.find
+
+    def _get_away(self, board: Blackboard, view: View) -> Skill[Phase]:
+        yield from get_away(board, view)
+        return self.find
 
 
-def _after_search(finding: Finding, step: Step | None, states: tuple[State, State, State]) -> Move:
-    searching, approaching, arrived = states
-    if finding is Finding.GIVEN_UP:
-        return Move(State.DONE, DiscreteAction.STOP, "I have looked everywhere I can get to, and give up.")
-    if step is None:
-        return Move(arrived)
-    return Move(approaching if finding is Finding.IN_SIGHT else searching, step.action, step.reason)
+def _pick(board: Blackboard, view: View) -> Skill[Phase]:
+    """Pick; what is known to have failed leads back to the search, and elsewhere."""
+    attempt = Miss(view.observation.base_to_start, faced_point(view, ClassRole.OBJECT))
+    result = yield from pick(view, board.config.pick)
+    if result.grasped:
+        return _bring(result.load).find
+    board.object_misses.add(attempt)
+    return _FETCH.find
 
 
-def pick_object(memory: Memory, view: View) -> Move:
-    """Carry the pick on; one that is known to have failed leads back to the search, and elsewhere."""
-
-    def begin() -> Skill[PickResult]:
-        memory.attempt = Miss(view.observation.base_to_start, faced_point(view, ClassRole.OBJECT))
-        return pick(view, memory.config.pick)
-
-    step, result = _carry_on(memory, view, begin)
-    if step is not None:
-        return Move(State.PICK, step.action, step.reason)
-    if not result.grasped:
-        memory.object_misses.add(memory.attempt)
-        return Move(State.FIND_OBJECT)
-    memory.load = result.load
-    return Move(State.FIND_RECEPTACLE)
+def _place(board: Blackboard, view: View, load: Load) -> Skill[Phase]:
+    """Place; where nothing could be placed and there are attempts left, go elsewhere."""
+    attempt = Miss(view.observation.base_to_start, faced_point(view, ClassRole.GOAL_RECEPTACLE))
+    config = board.config.place
+    is_last = board.place_misses.count + 1 >= config.attempts
+    is_placed = yield from place(view, config.context(load, board.generator), config, is_last)
+    if is_placed:
+        return Phase(State.DONE, partial(_stop, reason="The object is where it should be, I believe, so I stop."))
+    board.place_misses.add(attempt)
+    return _bring(load).find
 
 
-def place_object(memory: Memory, view: View) -> Move:
-    """Carry the place on; where nothing could be placed and there are attempts left, go elsewhere."""
-
-    def begin() -> Skill[bool]:
-        memory.attempt = Miss(view.observation.base_to_start, faced_point(view, ClassRole.GOAL_RECEPTACLE))
-        is_last = memory.place_misses.count + 1 >= memory.config.place.attempts
-        return place(view, memory.place_context(), memory.config.place, is_last)
-
-    step, is_placed = _carry_on(memory, view, begin)
-    if step is not None:
-        return Move(State.PLACE, step.action, step.reason)
-    if not is_placed:
-        memory.place_misses.add(memory.attempt)
-        return Move(State.FIND_RECEPTACLE)
-    return Move(State.DONE)
-
-
-def stop(memory: Memory, view: View) -> Move:
+def _stop(board: Blackboard, view: View, reason: str) -> Skill[Phase]:
     """End the episode."""
-    return Move(State.DONE, DiscreteAction.STOP, "The object is where it should be, I believe, so I stop.")
+    while True:
+        yield Move(DiscreteAction.STOP, reason)
 
 
-def _carry_on(memory: Memory, view: View, begin: Callable[[], Skill[Any]]) -> tuple[Step | None, Any]:
-    """Give the running skill the view, or begin one; return its next step, or None and its result once it has ended."""
-    try:
-        if memory.skill is None:
-            memory.skill = begin()
-            return next(memory.skill), None
-        return memory.skill.send(view), None
-    except StopIteration as end:
-        memory.skill = None
-        return None, end.value
+_GIVE_UP = Phase(State.DONE, partial(_stop, reason="I have looked everywhere I can get to, and give up."))
+_FETCH = _Errand(OBJECT_SEARCH, (State.FIND_OBJECT, State.NAVIGATE_TO_OBJECT), Phase(State.PICK, _pick))
 
 
-STATES: dict[State, StateFunction] = {
-    State.LOOK_AROUND: look_around,
-    State.FIND_OBJECT: find_object,
-    State.NAVIGATE_TO_OBJECT: find_object,
-    State.PICK: pick_object,
-    State.FIND_RECEPTACLE: find_receptacle,
-    State.NAVIGATE_TO_RECEPTACLE: find_receptacle,
-    State.PLACE: place_object,
-    State.DONE: stop,
-}
-
-
-def decide(state: State, memory: Memory, view: View) -> tuple[State, Step]:
-    """Return what the agent is about now and its step; a state that hands over is followed until one acts."""
-    for _ in range(2 * len(State)):
-        move = STATES[state](memory, view)
-        state = move.state
-        if move.action is not None:
-            return state, Step(move.action, move.reason)
-    return state, Step(DiscreteAction.EMPTY_ACTION, "I do not know what to do, so I wait and look again.")
+def _bring(load: Load) -> _Errand:
+    """Return the errand of bringing what is in the gripper to a goal receptacle."""
+    states = State.FIND_RECEPTACLE, State.NAVIGATE_TO_RECEPTACLE
+    return _Errand(RECEPTACLE_SEARCH, states, Phase(State.PLACE, partial(_place, load=load)))

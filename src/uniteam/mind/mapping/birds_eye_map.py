@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Observation, Segmentation
-from uniteam.mind.mapping.class_role import ClassRole, RoleScores
 from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, Limits, Scratch, View, project
 from uniteam.mind.mapping.viewed_sides import Gaze, look_bits
+from uniteam.mind.perception.vocabulary import ClassRole, RoleScores
 from uniteam.stretch import ROBOT_HEIGHT
 
 Mask = NDArray[np.bool_]

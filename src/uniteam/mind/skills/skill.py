@@ -1,7 +1,7 @@
-"""A skill: a conversation that gives steps and is answered with what the robot sees after each.
+"""A skill: a conversation that gives moves and is answered with what the robot sees after each.
 
 A skill is written as a generator, so that it reads as the sequence of motions it is:
-`view = yield Step(action, reason)`.
+`view = yield Move(action, reason)`.
 """
 
 from collections.abc import Generator
@@ -16,14 +16,14 @@ Result = TypeVar("Result")
 
 
 @dataclass(frozen=True)
-class Step:
-    """One action of a skill and one sentence of why."""
+class Move:
+    """One action of a skill, and one sentence of why."""
 
     action: Action
     reason: str
 
 
-Skill = Generator[Step, View, Result]
+Skill = Generator[Move, View, Result]
 
 SMALLEST_TURN = 0.0873
 """rad; the base ignores a smaller turn (5 degrees)."""
@@ -34,19 +34,19 @@ LONGEST_DRIVE = 1.0
 _JOINT_TOLERANCE = 1e-3
 
 
-def turn(heading: float, reason: str) -> Step:
-    """Return the step that turns the base by `heading` (rad, left-positive)."""
-    return Step(BaseDisplacement(heading=heading), reason)
+def turn(heading: float, reason: str) -> Move:
+    """Return the move that turns the base by `heading` (rad, left-positive)."""
+    return Move(BaseDisplacement(heading=heading), reason)
 
 
-def drive(distance: float, reason: str) -> Step:
-    """Return the step that drives the base forward by `distance` (m)."""
-    return Step(BaseDisplacement(x=distance), reason)
+def drive(distance: float, reason: str) -> Move:
+    """Return the move that drives the base forward by `distance` (m)."""
+    return Move(BaseDisplacement(x=distance), reason)
 
 
-def discrete(action: DiscreteAction, reason: str) -> Step:
-    """Return the step of a discrete action."""
-    return Step(action, reason)
+def discrete(action: DiscreteAction, reason: str) -> Move:
+    """Return the move of a discrete action."""
+    return Move(action, reason)
 
 
 def move_joints(view: View, target: Joints, reason: str) -> Skill[View]:
@@ -54,4 +54,4 @@ def move_joints(view: View, target: Joints, reason: str) -> Skill[View]:
     delta = clamp_joints(target) - view.observation.joints
     if all(abs(getattr(delta, f.name)) < _JOINT_TOLERANCE for f in fields(Joints)):
         return view
-    return (yield Step(JointDisplacement(delta), reason))
+    return (yield Move(JointDisplacement(delta), reason))

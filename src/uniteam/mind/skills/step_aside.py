@@ -1,4 +1,4 @@
-"""Getting away from a place where the same motion is blocked again and again."""
+"""Getting away from a place where the same motion is blocked again and again (`step_aside`)."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ def never_step_aside(blocked_in_a_row: int) -> bool:
 
 
 @dataclass(frozen=True)
-class BlockedOften:
+class AfterBlockedMotions:
     """Leaves the plan once so many forward motions in a row were blocked."""
 
     motions: int = 6
@@ -25,10 +25,11 @@ class BlockedOften:
         return blocked_in_a_row >= self.motions
 
 
-def step_aside(view: View, generator: np.random.Generator) -> Skill[None]:
+def step_aside(view: View, generator: np.random.Generator) -> Skill[View]:
     """Turn by a random angle and drive a little, so that the next plan begins somewhere else."""
     side = DiscreteAction.TURN_LEFT if generator.random() < 0.5 else DiscreteAction.TURN_RIGHT
     for _ in range(int(generator.integers(1, 6))):
-        yield discrete(side, "I am blocked here again and again, so I turn aside.")
+        view = yield discrete(side, "I am blocked here again and again, so I turn aside.")
     for _ in range(2):
-        yield discrete(DiscreteAction.MOVE_FORWARD, "I step aside to plan from another place.")
+        view = yield discrete(DiscreteAction.MOVE_FORWARD, "I step aside to plan from another place.")
+    return view

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
-from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.frontier import FrontierConfig, find_frontiers
 from uniteam.mind.navigation.planning.planner import Plan, Planner
+from uniteam.mind.perception.vocabulary import ClassRole
 
 ChooseGoal = Callable[[BirdsEyeMap, BasePose], Goal | None]
 """From the map and the robot (start frame) to a goal, or None when there is nothing of the kind."""
@@ -82,41 +82,38 @@ class SearchConfig:
         return None if goal is None else self.approach(goal, bird_map, base)
 
 
-BLOCKED_OFTEN = 3
-"""Forward motions that were blocked one after the other."""
-
-
 def plan_first(
     planner: Planner, bird_map: BirdsEyeMap, base: BasePose, choices: Sequence[ChooseGoal]
 ) -> tuple[Goal, Plan] | None:
     """Return the first choice's goal to which there is a path, and the plan.
 
-    A goal that is reached counts: its plan's action is None. Where no goal has a path, even after what collisions
-    taught is forgotten, the first one is approached as nearly as possible; None when there is no goal at all, or when
-    the robot has come as near to it as it can.
+    A goal that is reached counts: its plan's action is None. Where no goal has a path, what collisions taught is
+    forgotten on the map. Where none has a path even then, the plan leads as near to the first one as possible; None
+    when there is no goal at all. Whatever becomes of the plan is to be told to the planner (`begin`).
     """
     found = _first_reachable(planner, bird_map, base, choices)
     if found is not None and not found[1].reachable and bird_map.collision.any():
         planner.config.collisions.despair(bird_map)
         found = _first_reachable(planner, bird_map, base, choices)
-    if found is None or found[1].reachable:
-        return found
-    if found[1].action is None or planner.blocked_in_a_row >= BLOCKED_OFTEN:
-        return None
     return found
 
 
 def _first_reachable(
     planner: Planner, bird_map: BirdsEyeMap, base: BasePose, choices: Sequence[ChooseGoal]
 ) -> tuple[Goal, Plan] | None:
-    """Return the first choice to which there is a path, or else the first one that has a goal."""
-    nearest: Goal | None = None
+    """Return the first choice to which there is a path, or else the first one that has a goal.
+
+    What blocked the last motion is written into the map once there is a goal to plan for: the first goal is chosen on
+    the map on which that motion was.
+    """
+    nearest: tuple[Goal, Plan] | None = None
     for choose in choices:
         goal = choose(bird_map, base)
         if goal is None:
             continue
+        planner.notice(bird_map, base)
         plan = planner.plan(bird_map, base, goal)
         if plan.reachable:
             return goal, plan
-        nearest = nearest or goal
-    return None if nearest is None else (nearest, planner.plan(bird_map, base, nearest))
+        nearest = nearest or (goal, plan)
+    return nearest

@@ -7,10 +7,10 @@ import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc, disc_mask
-from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.exploration import ChooseGoal
 from uniteam.mind.navigation.planning.distance_field import distance_field
+from uniteam.mind.perception.vocabulary import ClassRole
 
 
 @dataclass(frozen=True)
@@ -19,11 +19,6 @@ class Miss:
 
     stand: BasePose
     target: tuple[float, float]
-
-
-def nowhere() -> Miss:
-    """Return the attempt that nobody made."""
-    return Miss(BasePose(0.0, 0.0, 0.0), (0.0, 0.0))
 
 
 @dataclass

@@ -8,11 +8,11 @@ import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc
-from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.planning.distance_field import distance_field
 from uniteam.mind.navigation.planning.traversible import traversible
 from uniteam.mind.navigation.window import Window, window_around
+from uniteam.mind.perception.vocabulary import ClassRole
 
 _DILATION = 3
 _GAP = 2

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc
-from uniteam.mind.mapping.class_role import ClassRole
 from uniteam.mind.mapping.viewed_sides import side_bit
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.frontier import large_groups
 from uniteam.mind.navigation.window import window_around
+from uniteam.mind.perception.vocabulary import ClassRole
 
 
 @dataclass(frozen=True)

@@ -35,7 +35,7 @@ class CollisionMemory:
 
     Attributes:
         write: writes a blocked motion into the map.
-        replan: called when there is a path only without the collision cells or with a smaller dilation.
+        replan: called when a path is begun that there is only without the collision cells or with a smaller dilation.
         despair: called when there is no path to anything.
     """
 

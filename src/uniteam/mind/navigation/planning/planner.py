@@ -4,7 +4,6 @@ It follows HomeRobot's: obstacles dilated by three cells, a dilation that shrink
 goal five cells ahead, a turn or a forward motion towards it, a stop within 0.5 m of the goal, and a turn to face it.
 """
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
-from uniteam.interface import Action, BaseDisplacement, DiscreteAction
+from uniteam.interface import ACTION_LIMITS, Action, DiscreteAction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.planning.collision_mapping import PATCH_UNTIL_REPLAN, BlockedMotion, CollisionMemory
@@ -22,7 +21,9 @@ from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goa
 from uniteam.mind.navigation.planning.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import Window, window_around
 
-TURN = math.radians(30.0)
+TURN = ACTION_LIMITS.turn_step
+BLOCKED_OFTEN = 3
+"""Forward motions blocked one after the other; a way that three wider and wider marks on the map left open is none."""
 
 
 def turn_in_steps(bearing: float) -> Action | None:
@@ -30,13 +31,6 @@ def turn_in_steps(bearing: float) -> Action | None:
     if abs(bearing) <= TURN / 2 + 1e-6:
         return None
     return DiscreteAction.TURN_LEFT if bearing > 0 else DiscreteAction.TURN_RIGHT
-
-
-def turn_exactly(bearing: float) -> Action | None:
-    """Return a turn of any angle towards a bearing (rad), or None within 5 degrees, the smallest turn there is."""
-    if abs(bearing) <= math.radians(5.0) + 1e-6:
-        return None
-    return BaseDisplacement(heading=bearing)
 
 
 @dataclass(frozen=True)
@@ -70,6 +64,7 @@ class Plan:
         action: what to do next; None when the goal is reached (or nothing can be done).
         reached: the robot stands as near as it can or as was asked for, and faces the goal.
         reachable: whether a path leads as near to the goal as was asked for; else the plan leads to the nearest place.
+        is_daring: whether the path leads through collision cells, or nearer to obstacles than it should.
         distance: length of the path (m).
         short_term_goal: (x, y) the robot heads for now, or None when it has arrived.
         path: (P, 2) from the robot to where it will stand.
@@ -79,6 +74,7 @@ class Plan:
     action: Action | None
     reached: bool
     reachable: bool
+    is_daring: bool
     distance: float
     short_term_goal: tuple[float, float] | None
     path: NDArray[np.float64]
@@ -93,6 +89,7 @@ class _Route:
     free: Mask
     reach: SearchResult
     reachable: bool
+    is_daring: bool = False
 
 
 @dataclass(frozen=True)
@@ -107,8 +104,8 @@ class _Motion:
 class Planner:
     """Plans one step at a time; it remembers only the last forward motion, to notice when it was blocked.
 
-    Update the map once a step, then plan, to several goals if need be: the last plan is taken to be the one that is
-    carried out. Call `interrupt` when something else moves the robot in between.
+    In each step update the map, let the planner `notice` what became of its last motion, `plan` to as many goals as
+    need be, and `begin` the plan that is carried out. Call `interrupt` when something else moves the robot in between.
     """
 
     def __init__(self, config: PlannerConfig | None = None) -> None:
@@ -122,22 +119,28 @@ class Planner:
         """How many forward motions in a row have been blocked."""
         return self._blocked_in_a_row
 
+    @property
+    def is_blocked_often(self) -> bool:
+        """Whether so many were blocked that the next will be blocked too."""
+        return self._blocked_in_a_row >= BLOCKED_OFTEN
+
+    def leads_on(self, plan: Plan) -> bool:
+        """Return whether a plan gets the robot to its goal, or at least nearer."""
+        return plan.reachable or (plan.action is not None and not self.is_blocked_often)
+
     def interrupt(self) -> None:
         """Forget the last motion: what the robot does next is not the planner's."""
         self._motion = None
         self._blocked_in_a_row = 0
 
     def plan(self, bird_map: BirdsEyeMap, base: BasePose, goal: Goal) -> Plan:
-        """Return the next step towards a goal.
-
-        A blocked forward motion since the last call is written into the map first.
+        """Return the next step towards a goal; nothing is changed by asking.
 
         Args:
             bird_map: the map, updated with the present observation.
             base: the robot (start frame).
             goal: where to, made for the map's present shape.
         """
-        self._notice_collision(bird_map, base)
         route = self._find_route(bird_map, base, goal)
         distance, path = _path_points(bird_map, route)
         if distance > self.config.tolerance:
@@ -146,14 +149,27 @@ class Planner:
             action: Action | None = turn_in_steps(base.bearing_to(*short_term_goal)) or DiscreteAction.MOVE_FORWARD
         else:
             short_term_goal = None
-            action = self._face(bird_map, base, goal)
-        self._motion = None
-        if action is DiscreteAction.MOVE_FORWARD and short_term_goal is not None:
-            self._motion = _Motion(base, short_term_goal, bird_map.update_count)
+            action = self.turn_to_face(bird_map, base, goal)
         goal_points = bird_map.points_of(goal.cells)
-        return Plan(action, action is None, route.reachable, distance, short_term_goal, path, goal_points)
+        return Plan(
+            action, action is None, route.reachable, route.is_daring, distance, short_term_goal, path, goal_points
+        )
 
-    def _notice_collision(self, bird_map: BirdsEyeMap, base: BasePose) -> None:
+    def begin(self, plan: Plan, bird_map: BirdsEyeMap, base: BasePose) -> None:
+        """Take a plan, made on this map and from this base, for the one that is carried out."""
+        if plan.is_daring:
+            self.config.collisions.replan(bird_map)
+        self._motion = None
+        if plan.action is DiscreteAction.MOVE_FORWARD and plan.short_term_goal is not None:
+            self._motion = _Motion(base, plan.short_term_goal, bird_map.update_count)
+
+    def notice(self, bird_map: BirdsEyeMap, base: BasePose) -> None:
+        """Write the motion that was begun in the last step into the map if it was blocked; a second call does nothing.
+
+        Args:
+            bird_map: the map, updated with the present observation.
+            base: the robot (start frame).
+        """
         motion = self._motion
         if motion is None or bird_map.update_count != motion.update_count + 1:
             return
@@ -178,8 +194,7 @@ class Planner:
             free = traversible(bird_map, window, robot, dilation)
             reach = self._search(free, robot, to_goal, goal)
             if reach is not None:
-                self.config.collisions.replan(bird_map)
-                return _Route(window, free, reach, True)
+                return _Route(window, free, reach, True, is_daring=True)
         nearest = np.where(connected_to(robot, careful), to_goal, np.inf)
         targets = nearest == nearest.min() if np.isfinite(nearest[robot]) else nearest < 0
         targets[robot] |= not targets.any()
@@ -198,7 +213,7 @@ class Planner:
         """Return how near to the goal is near enough, the asked for first."""
         return (goal.distance, goal.distance + self.config.patience) if goal.distance > 0 else (0.0,)
 
-    def _face(self, bird_map: BirdsEyeMap, base: BasePose, goal: Goal) -> Action | None:
+    def turn_to_face(self, bird_map: BirdsEyeMap, base: BasePose, goal: Goal) -> Action | None:
         """Return the turn that is missing to face the goal's nearest cell, or None."""
         if goal.face is None or not goal.face.any():
             return None
