@@ -8,7 +8,8 @@ from worlds.box_world import Box, move, observe
 
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import DiscreteAction, Instruction
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
+from uniteam.mind.mapping.map_config import MapConfig
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment

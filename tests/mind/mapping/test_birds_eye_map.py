@@ -8,7 +8,8 @@ from worlds.box_world import CAMERA, Box, observe, room
 
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
+from uniteam.mind.mapping.map_config import MapConfig
 from uniteam.mind.perception.vocabulary import ClassRole, role_scores
 
 START = BasePose(0.0, 0.0, 0.0)

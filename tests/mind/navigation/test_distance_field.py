@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import skfmm
 
-from uniteam.mind.mapping.birds_eye_map import Mask, disc_mask
+from uniteam.grid import Mask, disc_mask
 from uniteam.mind.navigation.planning.distance_field import COST_PER_CELL, distance_field, nearest_target, trace_path
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal, line_is_free
 from uniteam.mind.navigation.planning.traversible import connected_to

@@ -8,7 +8,9 @@ from worlds.box_world import Box, observe, room
 from worlds.driving import INSTRUCTION, Drive, arrived
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, MapConfig, disc_mask
+from uniteam.grid import disc_mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
+from uniteam.mind.mapping.map_config import MapConfig
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
 from uniteam.mind.navigation.goals.exploration import (

@@ -9,9 +9,10 @@ from worlds.box_world import Box, clearance, room
 from worlds.driving import Drive, arrived
 
 from uniteam.geometry import BasePose
+from uniteam.grid import disc_mask
 from uniteam.interface import DiscreteAction, MapLabel
 from uniteam.mind.agents.map_overlay import draw_overlay
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, disc_mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.exploration import (
     SearchConfig,

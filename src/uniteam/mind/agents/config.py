@@ -8,7 +8,7 @@ from uniteam.mind.manipulation.place.baseline_place import DriveInOneGo, extend_
 from uniteam.mind.manipulation.place.drop_height import Release
 from uniteam.mind.manipulation.place.place import PlaceConfig
 from uniteam.mind.manipulation.place.placing_points import PointRule
-from uniteam.mind.mapping.birds_eye_map import MapConfig
+from uniteam.mind.mapping.map_config import MapConfig
 from uniteam.mind.navigation.goals.exploration import SearchConfig
 from uniteam.mind.navigation.goals.goal_or_frontier import Trail, never_stuck
 from uniteam.mind.navigation.planning.planner import PlannerConfig
@@ -27,7 +27,7 @@ class AgentConfig:
         search: what to head for.
         pick: how to pick.
         place: how to place.
-        gives_way: after how many blocked motions in a row to step aside.
+        steps_aside: after how many blocked motions in a row to step aside.
         is_stuck: when to leave what the robot heads for, for a frontier.
         first_turns: turns of 30 degrees to look around with at first.
     """
@@ -38,7 +38,7 @@ class AgentConfig:
     search: SearchConfig
     pick: PickConfig
     place: PlaceConfig
-    gives_way: Callable[[int], bool] = never_step_aside
+    steps_aside: Callable[[int], bool] = never_step_aside
     is_stuck: Callable[[Trail], bool] = never_stuck
     first_turns: int = 12
 

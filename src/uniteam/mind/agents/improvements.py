@@ -225,7 +225,7 @@ REPORT: tuple[Improvement, ...] = (
 
 BEYOND: tuple[Improvement, ...] = (
     _replacing(
-        "step_aside", "blocked again and again, the robot steps aside at random", gives_way=AfterBlockedMotions()
+        "step_aside", "blocked again and again, the robot steps aside at random", steps_aside=AfterBlockedMotions()
     ),
     Improvement("true_radius", "paths keep the base's true radius from obstacles where they can", _true_radius),
     _replacing(

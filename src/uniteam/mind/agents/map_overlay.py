@@ -4,8 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
+from uniteam.grid import Mask
 from uniteam.interface import MapLabel, MapOverlay
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.planning.planner import Plan
 from uniteam.mind.navigation.window import Window, window_around

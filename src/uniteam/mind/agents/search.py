@@ -87,7 +87,7 @@ def explore(board: Blackboard, view: View, search: Search) -> Skill[bool]:
             reason = "Nothing is left that I can get to, so I look around again."
             move = Move(DiscreteAction.TURN_LEFT, reason)
         view = yield move
-        if board.config.gives_way(board.planner.blocked_in_a_row):
+        if board.config.steps_aside(board.planner.blocked_in_a_row):
             view = yield from get_away(board, view)
 
 
@@ -107,7 +107,7 @@ def approach(board: Blackboard, view: View, search: Search) -> Skill[Approach]:
             board.commitment.set_out()
             return Approach.ARRIVED
         view = yield Move(action, move.reason)
-        if board.config.gives_way(board.planner.blocked_in_a_row):
+        if board.config.steps_aside(board.planner.blocked_in_a_row):
             return Approach.BLOCKED
 
 

@@ -11,10 +11,7 @@ from numpy.typing import NDArray
 
 from uniteam.interface import Joints
 from uniteam.mind.skills.view import Points
-from uniteam.stretch import ARM_AXIS, WRIST_PITCH_AXIS, WRIST_YAW_AXIS, gripper_to_base
-
-FOOTPRINT = 0.3
-"""m; nothing but the robot itself is nearer to the base's centre."""
+from uniteam.stretch import ARM_AXIS, BASE_RADIUS, WRIST_PITCH_AXIS, WRIST_YAW_AXIS, gripper_to_base
 
 
 @dataclass(frozen=True)
@@ -73,7 +70,7 @@ def is_sweep_free(surroundings: Points, joints: Joints, load: Load, config: Swee
         load: what the gripper holds.
         config: the room it takes.
     """
-    points = surroundings[np.hypot(surroundings[:, 0], surroundings[:, 1]) > FOOTPRINT]
+    points = surroundings[np.hypot(surroundings[:, 0], surroundings[:, 1]) > BASE_RADIUS]
     swept = _tube(joints, config), _hand(joints, config), _load(joints, load, config)
     return not any(bool(np.any(box.holds(points, config.margin))) for box in swept)
 

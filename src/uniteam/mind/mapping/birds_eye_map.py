@@ -1,8 +1,6 @@
 """The bird's-eye-view map: what the robot has seen, from above, in the frame where it started."""
 
 import math
-from dataclasses import dataclass
-from functools import lru_cache
 from typing import TypeVar
 
 import cv2
@@ -10,77 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
+from uniteam.grid import Cell, Grid, Mask, disc
 from uniteam.interface import Observation, Segmentation
-from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, Limits, Scratch, View, project
+from uniteam.mind.mapping.map_config import MapConfig
+from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, MappedFrame, Scratch, project_frame
 from uniteam.mind.mapping.viewed_sides import Gaze, look_bits
 from uniteam.mind.perception.vocabulary import ClassRole, RoleScores
-from uniteam.stretch import ROBOT_HEIGHT
 
-Mask = NDArray[np.bool_]
-Cell = tuple[int, int]
 _Scalar = TypeVar("_Scalar", bound=np.generic)
-
-_REFERENCE_PIXELS = 240 * 320
-
-
-@dataclass(frozen=True)
-class MapConfig:
-    """How frames become cells; the defaults are those that HomeRobot ships for this task.
-
-    Attributes:
-        cell_size: m.
-        initial_size: side of the square map at the start (m).
-        growth: where more is needed, the map grows by so much, or a multiple of it (m).
-        min_depth, max_depth: depth along the optical axis that is mapped (m).
-        min_obstacle_height, max_obstacle_height: what lies between blocks the robot (m above the floor).
-        been_close_radius: the disc around the robot that it has been close to (m).
-        explored_radius: the disc around the robot that counts as explored, which its camera cannot see (m).
-        own_radius: points nearer than this to the base's axis are the robot itself (m).
-        min_solid_points, min_class_points: how many points of one frame make a cell an obstacle or one of a class, in a
-            frame of 240 x 320 pixels; they grow with the number of pixels.
-        probability_gain: how far the running probability of a class moves to the score of a new sighting.
-        probability_decay: the share it loses when the cell is seen again without the class.
-        class_depths: up to which depth each `ClassRole` is mapped (m). HomeRobot maps all to `max_depth`, and keeps
-            them; UniTeam's `early_goal_memory` keeps goal receptacles from as far as depth is measured.
-    """
-
-    cell_size: float = 0.05
-    initial_size: float = 24.0
-    growth: float = 8.0
-    min_depth: float = 0.5
-    max_depth: float = 3.5
-    min_obstacle_height: float = 0.10
-    max_obstacle_height: float = ROBOT_HEIGHT
-    been_close_radius: float = 1.0
-    explored_radius: float = 0.5
-    own_radius: float = 0.3
-    min_solid_points: int = 3
-    min_class_points: int = 2
-    probability_gain: float = 0.3
-    probability_decay: float = 0.05
-    class_depths: tuple[float, float, float] = (3.5, 3.5, 3.5)
-
-    def limits(self, pixels: int) -> Limits:
-        """Return the kernel's limits for frames of so many pixels."""
-        scale = pixels / _REFERENCE_PIXELS
-        return Limits(
-            1.0 / self.cell_size,
-            self.min_depth,
-            self.max_depth,
-            np.array(self.class_depths, dtype=np.float32),
-            self.min_obstacle_height,
-            self.max_obstacle_height,
-            self.own_radius,
-            max(1, round(self.min_solid_points * scale)),
-            max(1, round(self.min_class_points * scale)),
-            self.probability_gain,
-            self.probability_decay,
-        )
-
-    @property
-    def reach(self) -> float:
-        """How far from the robot a frame may write (m)."""
-        return 1.15 * max(self.max_depth, self.max_obstacle_height, *self.class_depths)
 
 
 class BirdsEyeMap:
@@ -97,7 +32,8 @@ class BirdsEyeMap:
         been_close: the robot stood within `been_close_radius`.
         collision: a blocked motion left its mark there.
         felt: an obstacle that a collision wrote there, and nothing was seen.
-        looked_from: (H, W) uint8, the sides from which the start receptacle there was looked at, as bits (see `looks`).
+        looked_from: (H, W) uint8, the sides from which the start receptacle there was looked at, as bits (see
+            `viewed_sides`).
         origin: (x, y) in the start frame (m) of the corner of cell [0, 0].
         update_count: how many frames have been brought in.
     """
@@ -168,17 +104,22 @@ class BirdsEyeMap:
             both[known] = self.class_cells(ClassRole.OBJECT)[known] & cv2.dilate(receptacle, disc(1)).view(np.bool_)
         return both
 
+    @property
+    def grid(self) -> Grid:
+        """Where the map's cells lie in the start frame, until it grows."""
+        return Grid(self.origin, self.cell_size)
+
     def to_cell(self, x: float, y: float) -> Cell:
         """Return the (row, column) of a point of the start frame (m); it may lie outside the map."""
-        return math.floor((y - self.origin[1]) / self.cell_size), math.floor((x - self.origin[0]) / self.cell_size)
+        return self.grid.to_cell(x, y)
 
     def to_point(self, row: float, column: float) -> tuple[float, float]:
         """Return the (x, y) in the start frame (m) of a cell's centre."""
-        return self.origin[0] + (column + 0.5) * self.cell_size, self.origin[1] + (row + 0.5) * self.cell_size
+        return self.grid.to_point(row, column)
 
     def to_points(self, cells: NDArray[np.number]) -> NDArray[np.float64]:
         """Return the (K, 2) centres (x, y) in the start frame (m) of (K, 2) cells (row, column)."""
-        return np.asarray(self.origin) + (np.asarray(cells).reshape(-1, 2)[:, ::-1] + 0.5) * self.cell_size
+        return self.grid.to_points(cells)
 
     def points_of(self, mask: Mask) -> NDArray[np.float64]:
         """Return the (K, 2) centres (x, y) in the start frame (m) of a mask's cells, row by row."""
@@ -189,8 +130,8 @@ class BirdsEyeMap:
         """Bring a frame into the map, and the robot's own place."""
         base = observation.base_to_start
         self._cover(base)
-        touched = project(self._view(observation, segmentation, roles), self.config.limits(observation.depth.size),
-                          self._scratch, self._channels())  # fmt: skip
+        frame, limits = self._frame(observation, segmentation, roles), self.config.limits(observation.depth.size)
+        touched = project_frame(frame, limits, self._scratch, self._channels())
         self._know(touched[:2], touched[2:])
         self._mark_robot(base)
         self._mark_look(base)
@@ -226,7 +167,7 @@ class BirdsEyeMap:
     def _channels(self) -> Channels:
         return Channels(self.obstacle, self.explored, self._class_cells, self._class_probability, self._class_height)
 
-    def _view(self, observation: Observation, segmentation: Segmentation, roles: RoleScores) -> View:
+    def _frame(self, observation: Observation, segmentation: Segmentation, roles: RoleScores) -> MappedFrame:
         camera = observation.camera
         camera_to_grid = np.array(observation.camera_to_start[:3], dtype=np.float64)
         camera_to_grid[:2, 3] -= self.origin
@@ -234,7 +175,7 @@ class BirdsEyeMap:
         scores = np.zeros((max(1, len(segmentation.detections)), ROLE_COUNT), dtype=np.float32)
         for index, detection in enumerate(segmentation.detections):
             scores[index] = roles(detection)
-        return View(
+        return MappedFrame(
             np.ascontiguousarray(observation.depth, dtype=np.float32),
             np.ascontiguousarray(segmentation.instances, dtype=np.int16),
             scores,
@@ -324,17 +265,3 @@ def _make_scratch(shape: tuple[int, int]) -> Scratch:
         np.zeros((size, ROLE_COUNT), dtype=np.float32),
         np.zeros(size, dtype=np.int32),
     )
-
-
-@lru_cache(maxsize=64)
-def disc(radius: int) -> NDArray[np.uint8]:
-    """Return the (2r + 1, 2r + 1) uint8 disc of a radius in cells, for dilations."""
-    offsets = np.arange(-radius, radius + 1)
-    return (offsets[:, None] ** 2 + offsets[None, :] ** 2 <= radius * radius).astype(np.uint8)
-
-
-def disc_mask(shape: tuple[int, int], centre: Cell, radius: int) -> Mask:
-    """Return the (H, W) mask of the cells within `radius` cells of a centre, which may lie outside."""
-    mask = np.zeros(shape, dtype=np.uint8)
-    cv2.circle(mask, (int(centre[1]), int(centre[0])), radius, color=1, thickness=-1)
-    return mask.view(np.bool_)

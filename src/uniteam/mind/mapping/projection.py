@@ -15,7 +15,7 @@ TOUCHED, SEEN, SOLID, FIRST_CLASS = 0, 1, 2, 3  # columns of `Scratch.counts`
 COUNT_COLUMNS = FIRST_CLASS + ROLE_COUNT
 
 
-class View(NamedTuple):
+class MappedFrame(NamedTuple):
     """A frame as the kernel takes it.
 
     Attributes:
@@ -78,20 +78,22 @@ class Scratch(NamedTuple):
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def _bin_points(view: View, limits: Limits, scratch: Scratch, shape: tuple[int, int]) -> int:  # pragma: no cover
+def _count_points(
+    frame: MappedFrame, limits: Limits, scratch: Scratch, shape: tuple[int, int]
+) -> int:  # pragma: no cover
     """Count the points of a frame by cell; return how many cells were touched."""
-    fx, fy, cx, cy = view.intrinsics
-    m = view.camera_to_grid
+    fx, fy, cx, cy = frame.intrinsics
+    m = frame.camera_to_grid
     rows, columns = shape
     own_radius_squared = limits.own_radius * limits.own_radius
     cells_per_metre = np.float32(limits.cells_per_metre)
     farthest = max(limits.max_depth, limits.class_depths.max())
     touched = 0
-    for v in range(view.depth.shape[0]):
+    for v in range(frame.depth.shape[0]):
         b = (np.float32(v) - cy) / fy
-        for u in range(view.depth.shape[1]):
-            z = view.depth[v, u]
-            instance = view.instances[v, u]
+        for u in range(frame.depth.shape[1]):
+            z = frame.depth[v, u]
+            instance = frame.instances[v, u]
             if z < limits.min_depth or z > farthest or (instance < 0 and z > limits.max_depth):
                 continue
             a = (np.float32(u) - cx) / fx
@@ -100,7 +102,7 @@ def _bin_points(view: View, limits: Limits, scratch: Scratch, shape: tuple[int, 
             row, column = int(y * cells_per_metre), int(x * cells_per_metre)
             if x < 0 or y < 0 or row >= rows or column >= columns:
                 continue
-            dx, dy = x - view.base[0], y - view.base[1]
+            dx, dy = x - frame.base[0], y - frame.base[1]
             if dx * dx + dy * dy < own_radius_squared:
                 continue
             height = (m[2, 0] * a + m[2, 1] * b + m[2, 2]) * z + m[2, 3]
@@ -115,7 +117,7 @@ def _bin_points(view: View, limits: Limits, scratch: Scratch, shape: tuple[int, 
                     scratch.counts[cell, SOLID] += 1
             if instance >= 0:
                 for role in range(ROLE_COUNT):
-                    score = view.scores[instance, role]
+                    score = frame.scores[instance, role]
                     if score > 0 and z <= limits.class_depths[role]:
                         scratch.counts[cell, FIRST_CLASS + role] += 1
                         scratch.scores[cell, role] = max(scratch.scores[cell, role], score)
@@ -157,12 +159,12 @@ def _merge(
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def project(
-    view: View, limits: Limits, scratch: Scratch, channels: Channels
+def project_frame(
+    frame: MappedFrame, limits: Limits, scratch: Scratch, channels: Channels
 ) -> tuple[int, int, int, int]:  # pragma: no cover
     """Bring a frame into the map: what it shows is explored, solid, of a class, or no longer of one.
 
     Returns the first row and column and the last row and column that the frame touched.
     """
-    touched = _bin_points(view, limits, scratch, channels.obstacle.shape)
+    touched = _count_points(frame, limits, scratch, channels.obstacle.shape)
     return _merge(scratch, touched, channels, limits)

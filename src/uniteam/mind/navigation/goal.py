@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from uniteam.mind.mapping.birds_eye_map import Mask
+from uniteam.grid import Mask
 
 
 class GoalKind(Enum):

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask
+from uniteam.grid import Cell, Mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 
 MARGIN_CELLS = 20
 

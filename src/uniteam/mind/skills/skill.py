@@ -4,11 +4,12 @@ A skill is written as a generator, so that it reads as the sequence of motions i
 `view = yield Move(action, reason)`.
 """
 
+import math
 from collections.abc import Generator
 from dataclasses import dataclass, fields
 from typing import TypeVar
 
-from uniteam.interface import Action, BaseDisplacement, DiscreteAction, JointDisplacement, Joints
+from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement, DiscreteAction, JointDisplacement, Joints
 from uniteam.mind.skills.view import View
 from uniteam.stretch import clamp_joints
 
@@ -25,12 +26,12 @@ class Move:
 
 Skill = Generator[Move, View, Result]
 
-SMALLEST_TURN = 0.0873
-"""rad; the base ignores a smaller turn (5 degrees)."""
-SMALLEST_DRIVE = 0.1
-"""m; the base ignores a shorter drive."""
-LONGEST_DRIVE = 1.0
-"""m; the base drives no farther in one step."""
+SMALLEST_TURN = math.ceil(ACTION_LIMITS.least_turn * 1e4) / 1e4
+"""rad; rounded up, so that no rounding on the way to the base makes a turn too small to be done."""
+SMALLEST_DRIVE = ACTION_LIMITS.least_move
+"""m."""
+LONGEST_DRIVE = ACTION_LIMITS.most_move
+"""m."""
 _JOINT_TOLERANCE = 1e-3
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose, transform_points
+from uniteam.grid import Grid
 from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
 from uniteam.world.homes.fixed_mesh import stage_mesh
 from uniteam.world.homes.home import Home
@@ -37,6 +38,7 @@ class NavigableFloor:
         """Rasterise the home."""
         corners = np.array([(room.low, room.high) for room in home.stage.rooms])
         self._low = corners[:, 0].min(axis=0) - _MARGIN
+        self._grid = Grid((float(self._low[0]), float(self._low[1])), CELL_SIZE)
         columns, rows = np.ceil((corners[:, 1].max(axis=0) + _MARGIN - self._low) / CELL_SIZE).astype(int)
         free = np.zeros((rows, columns), np.uint8)
         for room in home.stage.rooms:
@@ -52,11 +54,11 @@ class NavigableFloor:
 
     def to_cell(self, x: float, y: float) -> tuple[int, int]:
         """Return the (row, column) of the cell that holds a point (m, world); it may lie outside the grid."""
-        return math.floor((y - self._low[1]) / CELL_SIZE), math.floor((x - self._low[0]) / CELL_SIZE)
+        return self._grid.to_cell(x, y)
 
     def to_point(self, row: int, column: int) -> tuple[float, float]:
         """Return the centre (x, y) of a cell (m, world)."""
-        return float(self._low[0] + (column + 0.5) * CELL_SIZE), float(self._low[1] + (row + 0.5) * CELL_SIZE)
+        return self._grid.to_point(row, column)
 
     def clearance(self, x: float, y: float) -> float:
         """Return the distance (m) from a point (m, world) to the nearest obstacle, interpolated between cells."""

@@ -5,16 +5,19 @@ import numpy as np
 from uniteam.geometry import BasePose, invert_transform, transform_points
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.view import Points, View
+from uniteam.stretch import BASE_RADIUS
 
 _RADIUS = 2.0
 """m around the base; what is farther is of no concern to the arm."""
 _GRAIN = 0.02
 """m; of points closer together than this, one is kept."""
-_OWN_RADIUS = 0.32
-"""m around the base's axis; what is seen there is the robot itself."""
+_OWN_RADIUS = BASE_RADIUS + 0.02
+"""m around the base's axis; what is seen there is the robot itself, give or take a grain."""
+_BITS = 21
+"""Of a grain's place along an axis: 42 km of grains of 2 cm, so that three of them make one key of 63 bits."""
 
 
-class Nearby:
+class LocalCloud:
     """The goal receptacle and everything else near the robot, in the start frame, over all views that were added."""
 
     def __init__(self) -> None:
@@ -54,6 +57,7 @@ def _merge(known: np.ndarray, new: np.ndarray) -> np.ndarray:
     """Return all points, one of each grain; the known ones stay."""
     points = np.concatenate([known, new])
     grains = np.floor(points / _GRAIN).astype(np.int64)
-    keys = (grains[:, 0] << 42) + ((grains[:, 1] & 0x1FFFFF) << 21) + (grains[:, 2] & 0x1FFFFF)
+    low_bits = (1 << _BITS) - 1
+    keys = (grains[:, 0] << 2 * _BITS) + ((grains[:, 1] & low_bits) << _BITS) + (grains[:, 2] & low_bits)
     _, first = np.unique(keys, return_index=True)
     return points[np.sort(first)]

@@ -12,6 +12,7 @@ from uniteam.mind.manipulation.place.drop_height import Release
 from uniteam.mind.manipulation.place.placing_points import ChoosePoints, PlacingPoints
 from uniteam.mind.skills.skill import Skill, discrete, turn
 from uniteam.mind.skills.view import Points, View
+from uniteam.stretch import looks_along_arm
 
 
 @dataclass(frozen=True)
@@ -125,6 +126,6 @@ def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool)
 
 def enter_manipulation_mode(view: View, reason: str) -> Skill[View]:
     """Point the arm to where the robot faces, unless it looks along the arm already."""
-    if view.observation.joints.head_pan < -1.0:
+    if looks_along_arm(view.observation.joints):
         return view
     return (yield discrete(DiscreteAction.MANIPULATION_MODE, reason))

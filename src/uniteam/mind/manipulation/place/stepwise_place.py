@@ -1,6 +1,6 @@
 """Closing in step by step: look, come a little closer, look again; then line the arm up (`stepwise_place`).
 
-The robot keeps what it saw on the way in (`Nearby`): close to a receptacle, the camera looks over its near edge.
+The robot keeps what it saw on the way in (`LocalCloud`): close to a receptacle, the camera looks over its near edge.
 """
 
 import math
@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from uniteam.mind.manipulation.place.local_cloud import Nearby
+from uniteam.mind.manipulation.place.local_cloud import LocalCloud
 from uniteam.mind.manipulation.place.place import PlaceContext, Stand, enter_manipulation_mode
 from uniteam.mind.skills.skill import SMALLEST_DRIVE, SMALLEST_TURN, Skill, drive, turn
 from uniteam.mind.skills.view import Points, View
@@ -52,7 +52,7 @@ class CloseInStepwise:
 
     def __call__(self, view: View, context: PlaceContext) -> Skill[Stand | None]:
         """Answer with the stand near enough to a placing point; None where no receptacle is seen."""
-        nearby = Nearby()
+        nearby = LocalCloud()
         nearby.add(view)
         if len(nearby.goal_points(view.observation.base_to_start)) == 0:
             return None
@@ -66,7 +66,7 @@ class CloseInStepwise:
         chosen = context.choose_points(points, context.load, context.generator)
         return Stand(view, chosen, nearby.surroundings(pose), self.line_up)
 
-    def _come_closer(self, view: View, context: PlaceContext, nearby: Nearby) -> Skill[View]:
+    def _come_closer(self, view: View, context: PlaceContext, nearby: LocalCloud) -> Skill[View]:
         reach = context.release.reach
         for _ in range(self.most_steps):
             target = self._nearest_good_point(nearby.goal_points(view.observation.base_to_start), context)

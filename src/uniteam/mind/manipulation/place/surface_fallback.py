@@ -6,7 +6,7 @@ import numpy as np
 
 from uniteam.mind.manipulation.place.baseline_place import blind_aim
 from uniteam.mind.manipulation.place.headroom import points_with_headroom
-from uniteam.mind.manipulation.place.local_cloud import Nearby
+from uniteam.mind.manipulation.place.local_cloud import LocalCloud
 from uniteam.mind.manipulation.place.place import Aim, PlaceContext, Stand, enter_manipulation_mode
 from uniteam.mind.manipulation.place.placing_points import PlacingPoints
 from uniteam.mind.manipulation.place.stepwise_place import TurnToLine
@@ -28,7 +28,7 @@ class OntoFlatSurface:
 
     def __call__(self, view: View, context: PlaceContext) -> Skill[Aim]:
         """Answer with an aim at a flat surface in reach; with the whole arm out where there is none."""
-        nearby = Nearby()
+        nearby = LocalCloud()
         view = yield from enter_manipulation_mode(view, "I see no receptacle, so I look for a flat surface beside me.")
         nearby.add(view)
         around = nearby.surroundings(view.observation.base_to_start)

@@ -9,11 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask, disc, disc_mask
+from uniteam.grid import Cell, Mask, disc, disc_mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.receptacle_probability import group_cells
 from uniteam.mind.navigation.planning.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import Window, window_around
+from uniteam.stretch import BASE_RADIUS
 
 
 class _Side(NamedTuple):
@@ -33,13 +35,13 @@ class CentreApproach:
 
     Attributes:
         stand_off: how far from the side the robot's axis stands (m).
-        robot_cells: obstacles grow by so many cells where it stands, its own radius.
+        radius: obstacles grow by so much where it stands (m), its own.
         min_stretch: a free stretch must be so long (m).
         play: how far from the middle is near enough (m).
     """
 
     stand_off: float = 0.45
-    robot_cells: int = 6
+    radius: float = BASE_RADIUS
     min_stretch: float = 0.2
     play: float = 0.15
 
@@ -62,7 +64,8 @@ class CentreApproach:
     def _standing_room(self, bird_map: BirdsEyeMap, window: Window, base: BasePose) -> Mask:
         """Return the cells where the robot can stand and to which there is a path."""
         robot = window.inside(bird_map.to_cell(base.x, base.y))
-        blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), disc(self.robot_cells))
+        own = disc(round(self.radius / bird_map.cell_size))
+        blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), own)
         known = connected_to(robot, traversible(bird_map, window, robot, dilation=3))
         return known & (blocked == 0) & window.cut(bird_map.explored)
 
@@ -92,7 +95,10 @@ def _at(mask: Mask, points: NDArray[np.int32]) -> Mask:
 
 
 def _side(edge: NDArray[np.float64], before: NDArray[np.int32], free: Mask) -> _Side:
-    """Return a side by the longest free run of the places before its edge; both are (K, 2) cells (x, y)."""
+    """Return a side by the longest free run of the places before its edge; both are (K, 2) cells (x, y).
+
+    A run begins where False turns into True and ends where True turns into False, so beginnings and ends alternate.
+    """
     ends = np.flatnonzero(np.diff(np.concatenate([[False], _at(free, before), [False]]).astype(np.int8)))
     if not len(ends):
         return _Side((0, 0), (0, 0), 0)

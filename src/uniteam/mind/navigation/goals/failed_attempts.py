@@ -6,7 +6,8 @@ import cv2
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc, disc_mask
+from uniteam.grid import Mask, disc, disc_mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.exploration import ChooseGoal
 from uniteam.mind.navigation.planning.distance_field import distance_field

@@ -6,7 +6,8 @@ import cv2
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc
+from uniteam.grid import Mask, disc
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.window import window_around
 
 

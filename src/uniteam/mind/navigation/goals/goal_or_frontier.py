@@ -8,7 +8,8 @@ from itertools import pairwise
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, disc_mask
+from uniteam.grid import disc_mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, any_frontier
 from uniteam.mind.navigation.planning.planner import Plan

@@ -7,12 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Mask, disc
+from uniteam.grid import Mask, disc
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.viewed_sides import side_bit
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.frontier import large_groups
 from uniteam.mind.navigation.window import window_around
 from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.stretch import BASE_RADIUS
 
 
 @dataclass(frozen=True)
@@ -21,13 +23,13 @@ class SurroundStartReceptacle:
 
     Attributes:
         nearest, farthest: how far from the receptacle the robot stands (m).
-        robot_cells: obstacles grow by so many cells where it stands, its own radius.
+        radius: obstacles grow by so much where it stands (m), its own.
         min_cells: smaller groups of places are not worth a drive.
     """
 
     nearest: float = 0.4
     farthest: float = 0.9
-    robot_cells: int = 6
+    radius: float = BASE_RADIUS
     min_cells: int = 6
 
     def __call__(self, bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
@@ -41,7 +43,8 @@ class SurroundStartReceptacle:
             (~near).view(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5, labelType=cv2.DIST_LABEL_PIXEL
         )
         away = away * np.float32(bird_map.cell_size)
-        blocked = cv2.dilate((window.cut(bird_map.obstacle) | near).view(np.uint8), disc(self.robot_cells))
+        own = disc(round(self.radius / bird_map.cell_size))
+        blocked = cv2.dilate((window.cut(bird_map.obstacle) | near).view(np.uint8), own)
         stands = (away >= self.nearest) & (away <= self.farthest) & (blocked == 0) & window.cut(bird_map.explored)
         stands &= ~_looked_from_there(near, labels, stands, window.cut(bird_map.looked_from))
         stands = large_groups(stands, self.min_cells)

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
+from uniteam.stretch import BASE_RADIUS
 
-RIM = 0.35
-"""m from the base's axis; what blocks a motion is no nearer."""
+RIM = BASE_RADIUS + 0.05
+"""m from the base's axis; what blocks a motion is no nearer, and a cell beyond the base it is not within it."""
 
 
 @dataclass(frozen=True)
@@ -36,12 +37,12 @@ class CollisionMemory:
     Attributes:
         write: writes a blocked motion into the map.
         replan: called when a path is begun that there is only without the collision cells or with a smaller dilation.
-        despair: called when there is no path to anything.
+        no_path: called when there is no path to anything.
     """
 
     write: Callable[[BirdsEyeMap, BlockedMotion], None]
     replan: Callable[[BirdsEyeMap], None]
-    despair: Callable[[BirdsEyeMap], None]
+    no_path: Callable[[BirdsEyeMap], None]
 
 
 def write_patch_ahead(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from uniteam.mind.mapping.birds_eye_map import Cell, Mask
+from uniteam.grid import Cell, Mask
 
 COST_PER_CELL = 5.025
 """Cost of one cell's length: a little over 5 weighs the errors in the open, where most directions come out too long,

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
+from uniteam.grid import Cell, Mask
 from uniteam.interface import ACTION_LIMITS, Action, DiscreteAction
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.planning.collision_mapping import PATCH_UNTIL_REPLAN, BlockedMotion, CollisionMemory
 from uniteam.mind.navigation.planning.distance_field import SearchResult, costs_to_metres, nearest_target, trace_path

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.mind.mapping.birds_eye_map import Cell, Mask
+from uniteam.grid import Cell, Mask
 
 _SIGHT_STEPS = 12
 

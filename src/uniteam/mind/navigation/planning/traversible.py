@@ -3,7 +3,8 @@
 import cv2
 import numpy as np
 
-from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap, Cell, Mask, disc, disc_mask
+from uniteam.grid import Cell, Mask, disc, disc_mask
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.window import Window
 
 OWN_CELLS = 3

@@ -1,0 +1,56 @@
+"""Grids of square cells on the floor: from points to cells and back, and discs of cells.
+
+Row is y and column is x, so an (H, W) array of cells is a picture of the floor seen from above, upside down.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Mask = NDArray[np.bool_]
+"""(H, W): a property of cells."""
+Cell = tuple[int, int]
+"""(row, column)."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Where a grid lies.
+
+    Attributes:
+        origin: (x, y) of the corner of cell [0, 0] (m).
+        cell_size: side of a cell (m).
+    """
+
+    origin: tuple[float, float]
+    cell_size: float
+
+    def to_cell(self, x: float, y: float) -> Cell:
+        """Return the (row, column) of the cell that holds a point (m); it may lie outside the array of cells."""
+        return math.floor((y - self.origin[1]) / self.cell_size), math.floor((x - self.origin[0]) / self.cell_size)
+
+    def to_point(self, row: float, column: float) -> tuple[float, float]:
+        """Return the centre (x, y) of a cell (m)."""
+        return self.origin[0] + (column + 0.5) * self.cell_size, self.origin[1] + (row + 0.5) * self.cell_size
+
+    def to_points(self, cells: NDArray[np.number]) -> NDArray[np.float64]:
+        """Return the (K, 2) centres (x, y) (m) of (K, 2) cells (row, column)."""
+        return np.asarray(self.origin) + (np.asarray(cells).reshape(-1, 2)[:, ::-1] + 0.5) * self.cell_size
+
+
+@lru_cache(maxsize=64)
+def disc(radius: int) -> NDArray[np.uint8]:
+    """Return the (2r + 1, 2r + 1) uint8 disc of a radius in cells, for dilations."""
+    offsets = np.arange(-radius, radius + 1)
+    return (offsets[:, None] ** 2 + offsets[None, :] ** 2 <= radius * radius).astype(np.uint8)
+
+
+def disc_mask(shape: tuple[int, int], centre: Cell, radius: int) -> Mask:
+    """Return the (H, W) mask of the cells within `radius` cells of a centre, which may lie outside."""
+    mask = np.zeros(shape, dtype=np.uint8)
+    cv2.circle(mask, (int(centre[1]), int(centre[0])), radius, color=1, thickness=-1)
+    return mask.view(np.bool_)
