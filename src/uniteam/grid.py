@@ -1,6 +1,6 @@
 """Grids of square cells on the floor: from points to cells and back, and discs of cells.
 
-Row is y and column is x, so an (H, W) array of cells is a picture of the floor seen from above, upside down.
+Row is y and column is x; cell [0, 0] has the least of both.
 """
 
 import math

@@ -1,7 +1,4 @@
-"""The motions of putting down: raise, level the wrist, lower, extend; let go; rise.
-
-Every motion is checked against what was seen: the arm leaves the robot only where nothing is in its way.
-"""
+"""Paths of the arm: how it gets over a point, whether it touches anything seen, and how it follows them."""
 
 from dataclasses import dataclass, fields, replace
 from itertools import pairwise
