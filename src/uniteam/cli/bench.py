@@ -20,7 +20,7 @@ from uniteam.world.rendering.mujoco_reference import OpenGLMissingError
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split
 
-SPLIT, AGENT, PERCEPTION = "minival", "uniteam", "truth"
+SPLIT, AGENT, PERCEPTION = "minival", "uniteam-plus", "truth"
 
 
 def bench(out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None, episodes: int = 10) -> None:

@@ -26,7 +26,7 @@ class LostEpisodesError(UniteamError):
 
 
 def evaluate(
-    agents: tuple[str, ...] = ("baseline", "uniteam"),
+    agents: tuple[str, ...] = ("baseline", "uniteam", "uniteam-plus"),
     split: str = "minival",
     perception: str = "truth",
     episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,

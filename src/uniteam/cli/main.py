@@ -37,11 +37,11 @@ class Command:
 COMMANDS = {
     "evaluate": Command(
         "play a split's episodes with one or more agents and print the challenge's table",
-        "uniteam evaluate --agents baseline uniteam --split minival",
+        "uniteam evaluate --agents baseline uniteam-plus --split minival",
     ),
     "run": Command(
         "play one episode, narrated, and film it",
-        "uniteam run --agent uniteam --split minival --episode 0 --video episode.mp4",
+        "uniteam run --agent uniteam-plus --split minival --episode 0 --video episode.mp4",
     ),
     "home": Command("generate a home and draw it", "uniteam home 7 --out home_7"),
     "episodes": Command(
@@ -174,7 +174,7 @@ def _print_overview(console: Console) -> None:
     for name, command in COMMANDS.items():
         console.print(f"  [bold]{name:<10}[/]{command.purpose}", soft_wrap=True)
         console.print(f"  {'':<10}[dim]{command.example}[/]", soft_wrap=True)
-    console.print("\nBegin with [bold]uniteam evaluate[/]: ten episodes, two agents, one table.")
+    console.print("\nBegin with [bold]uniteam evaluate[/]: ten episodes, three agents, one table.")
 
 
 if __name__ == "__main__":

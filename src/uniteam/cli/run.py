@@ -26,7 +26,7 @@ _STYLES = {"state": "bold", "action": "cyan", "trouble": "red", "success": "gree
 
 
 def run(
-    agent: str = "uniteam",
+    agent: str = "uniteam-plus",
     split: str = "minival",
     episode: int = 0,
     video: Annotated[Path | None, tyro.conf.arg(metavar="FILE.mp4")] = None,
