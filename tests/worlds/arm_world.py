@@ -21,6 +21,7 @@ from uniteam.interface import (
 from uniteam.mind.skills.skill import Skill
 from uniteam.mind.skills.view import View
 from uniteam.stretch import (
+    GRASP_RANGE,
     MANIPULATION_POSTURE,
     NAVIGATION_POSTURE,
     clamp_joints,
@@ -28,7 +29,6 @@ from uniteam.stretch import (
     head_camera_to_base,
 )
 
-GRASP_RANGE = 0.8
 Point = tuple[float, float, float]
 
 

@@ -6,9 +6,9 @@ from worlds.camera_scenes import BLUE, CAMERA, FORWARD, GREEN, NOWHERE, RED, qua
 
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import PinholeCamera
+from uniteam.stretch import DEPTH_RANGE
 from uniteam.world.assets.mesh import Material, Mesh
 from uniteam.world.rendering.camera import render
-from uniteam.world.rendering.kernels.frame import MAX_DEPTH
 from uniteam.world.rendering.scene import Scene
 
 
@@ -78,7 +78,7 @@ def test_a_floor_that_passes_under_the_camera_is_cut_and_not_lost() -> None:
     depth = see({"floor": floor}).depth
     below = (np.arange(48) - CAMERA.cy) / CAMERA.fy
     expected = np.where(below > 0.0, 1.0 / np.maximum(below, 1e-9), 0.0)
-    expected[expected > MAX_DEPTH] = 0.0
+    expected[expected > DEPTH_RANGE] = 0.0
     assert depth == pytest.approx(np.broadcast_to(expected[:, None], (48, 64)), rel=1e-4)
 
 

@@ -29,8 +29,8 @@ GRASP_TRIES = 6
 RELEASE_TRIES = 12
 EPISODE_TRIES = 4
 """How many proposals the simulator is asked about: for an object, for an object and a receptacle, for an episode."""
-GRASP_RANGE = 0.9
-RELEASE_RANGE = 0.7
+GRASP_STAND_RANGE = 0.9
+RELEASE_STAND_RANGE = 0.7
 """How far from an instance a stand may be (m)."""
 
 
@@ -84,7 +84,7 @@ class Certifier:
         if name not in self._grasps:
             instance = self.home.by_name[name]
             stands = grasp_stands(
-                np.array(instance.position), self._views.standable(instance, GRASP_RANGE), HEAD_CAMERA_HALF
+                np.array(instance.position), self._views.standable(instance, GRASP_STAND_RANGE), HEAD_CAMERA_HALF
             )
             tried = (stand for stand in islice(stands, GRASP_TRIES) if self._can_grasp(stand, name))
             self._grasps[name] = next(tried, None)
@@ -99,7 +99,7 @@ class Certifier:
         key = (name, receptacle)
         if key not in self._tried_releases:
             held, goal = self.home.by_name[name], self.home.by_name[receptacle]
-            ways = release_ways(self.home, held, goal, self._views.standable(goal, RELEASE_RANGE))
+            ways = release_ways(self.home, held, goal, self._views.standable(goal, RELEASE_STAND_RANGE))
             tried = (way for way in islice(ways, RELEASE_TRIES) if self._can_release(way, name, grasp, receptacle))
             self._tried_releases[key] = next(tried, None)
         return self._tried_releases[key]

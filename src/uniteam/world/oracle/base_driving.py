@@ -7,10 +7,7 @@ import math
 from collections.abc import Iterator
 
 from uniteam.geometry import BasePose, Point2, wrap_angle
-from uniteam.interface import BaseDisplacement
-
-LEAST_MOVE, MOST_MOVE = 0.1, 1.0
-LEAST_TURN = math.radians(5.0)
+from uniteam.interface import ACTION_LIMITS, BaseDisplacement
 
 _NEGLIGIBLE_MOVE, _NEGLIGIBLE_TURN = 1e-3, math.radians(0.1)
 _DETOUR_MOVE, _DETOUR_TURN = 0.2, math.radians(30.0)
@@ -21,7 +18,7 @@ def turn(angle: float) -> Iterator[BaseDisplacement]:
     angle = wrap_angle(angle)
     if abs(angle) < _NEGLIGIBLE_TURN:
         return
-    if abs(angle) <= LEAST_TURN:
+    if abs(angle) <= ACTION_LIMITS.least_turn:
         yield BaseDisplacement(heading=math.copysign(_DETOUR_TURN, angle))
         angle -= math.copysign(_DETOUR_TURN, angle)
     yield BaseDisplacement(heading=angle)
@@ -31,10 +28,10 @@ def straight(distance: float) -> Iterator[BaseDisplacement]:
     """Yield the displacements that move the base forward (m)."""
     if distance < _NEGLIGIBLE_MOVE:
         return
-    if distance <= LEAST_MOVE:
+    if distance <= ACTION_LIMITS.least_move:
         yield BaseDisplacement(x=-_DETOUR_MOVE)
         distance += _DETOUR_MOVE
-    count = math.ceil(distance / MOST_MOVE)
+    count = math.ceil(distance / ACTION_LIMITS.most_move)
     for _ in range(count):
         yield BaseDisplacement(x=distance / count)
 

@@ -12,10 +12,10 @@ import numpy as np
 
 from uniteam.geometry import BasePose, PinholeCamera, invert_transform, transform_points, wrap_angle
 from uniteam.interface import Joints
-from uniteam.stretch import JOINT_LIMITS, MANIPULATION_POSTURE, gripper_to_base, head_camera_to_base
+from uniteam.stretch import GRASP_RANGE, JOINT_LIMITS, MANIPULATION_POSTURE, gripper_to_base, head_camera_to_base
 
-GRASP_REACH = 0.75
-"""How far (m) the gripper may be from what it grasps; the simulator allows 0.8."""
+GRASP_REACH = GRASP_RANGE - 0.05
+"""How far (m) the gripper may be from what it grasps, a little less than the simulator allows."""
 BEST_GRASP_DISTANCE = 0.6
 """Of the base from the object (m): close, yet with the object well inside the image."""
 IMAGE_MARGIN = 0.08

@@ -19,9 +19,10 @@ from numpy.typing import NDArray
 
 from uniteam.errors import UniteamError
 from uniteam.geometry import PinholeCamera
+from uniteam.stretch import DEPTH_RANGE
 from uniteam.world.homes.home import Home
 from uniteam.world.rendering.camera import render
-from uniteam.world.rendering.kernels.frame import MAX_DEPTH, Frame
+from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.rendering.scene import Scene
 
 BACKENDS = ("egl", "osmesa")
@@ -147,7 +148,7 @@ class _Renderer:
         geoms = self._renderer.render()[..., 0]
         self._renderer.disable_segmentation_rendering()
         instances = np.where(geoms >= 0, self._labels[geoms], np.int16(-1)).astype(np.int16)
-        return Frame(rgb, np.where(depth <= MAX_DEPTH, depth, 0.0).astype(np.float32), instances)
+        return Frame(rgb, np.where(depth <= DEPTH_RANGE, depth, 0.0).astype(np.float32), instances)
 
     def close(self) -> None:
         """Free what OpenGL holds."""

@@ -8,15 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import invert_transform, transform_points
-from uniteam.stretch import gripper_to_base
+from uniteam.stretch import GRASP_RANGE, gripper_to_base
 from uniteam.world.homes.home import Home
 from uniteam.world.physics.collision_shapes import model_vertices
 from uniteam.world.physics.physics import Physics
 from uniteam.world.simulation.held_object import HeldObject, hang
 from uniteam.world.simulation.robot_state import RobotState
-
-GRASP_RANGE = 0.8
-"""How far from the grasp centre an object's middle may be to be grasped (m)."""
 
 
 class Gripper:

@@ -5,17 +5,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, fields
 
 from uniteam.geometry import BasePose, wrap_angle
-from uniteam.interface import BaseDisplacement, Joints
+from uniteam.interface import ACTION_LIMITS, BaseDisplacement, Joints
 from uniteam.stretch import clamp_joints
 
-FORWARD_STEP = 0.25
-"""A discrete step forward (m)."""
-TURN_STEP = math.radians(30.0)
-"""A discrete turn (rad)."""
-MINIMUM_MOVE, MAXIMUM_MOVE = 0.1, 1.0
-"""Bounds of a continuous displacement along an axis (m): a shorter one is not done, a longer one is cut."""
-MINIMUM_TURN, MAXIMUM_TURN = math.radians(5.0), math.pi
-"""The same for a turn (rad)."""
 SAMPLE_TRAVEL = 0.02
 """No point of the arm travels further than this (m) from one sample of a motion to the next."""
 
@@ -35,9 +27,9 @@ class RobotState:
 def admissible(displacement: BaseDisplacement) -> BaseDisplacement:
     """Return the displacement that a continuous action comes to: cut to the maxima, nothing below the minima."""
     return BaseDisplacement(
-        _bounded(displacement.x, MINIMUM_MOVE, MAXIMUM_MOVE),
-        _bounded(displacement.y, MINIMUM_MOVE, MAXIMUM_MOVE),
-        _bounded(displacement.heading, MINIMUM_TURN, MAXIMUM_TURN),
+        _bounded(displacement.x, ACTION_LIMITS.least_move, ACTION_LIMITS.most_move),
+        _bounded(displacement.y, ACTION_LIMITS.least_move, ACTION_LIMITS.most_move),
+        _bounded(displacement.heading, ACTION_LIMITS.least_turn, ACTION_LIMITS.most_turn),
     )
 
 

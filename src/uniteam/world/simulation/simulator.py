@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose, PinholeCamera
-from uniteam.interface import Action, BaseDisplacement, DiscreteAction, Joints
+from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement, DiscreteAction, Joints
 from uniteam.stretch import (
     JOINT_LIMITS,
     MANIPULATION_POSTURE,
@@ -29,8 +29,6 @@ from uniteam.world.simulation.arm_collision import ArmCollider
 from uniteam.world.simulation.gripper import Gripper
 from uniteam.world.simulation.home_view import HomeView
 from uniteam.world.simulation.robot_state import (
-    FORWARD_STEP,
-    TURN_STEP,
     RobotState,
     admissible,
     samples,
@@ -194,9 +192,11 @@ class Simulator:
 _DISCRETE: Mapping[DiscreteAction, Callable[[Simulator], StepEvents]] = {
     DiscreteAction.STOP: lambda simulator: NOTHING,
     DiscreteAction.EMPTY_ACTION: lambda simulator: NOTHING,
-    DiscreteAction.MOVE_FORWARD: lambda simulator: simulator._displace(BaseDisplacement(x=FORWARD_STEP)),
-    DiscreteAction.TURN_LEFT: lambda simulator: simulator._displace(BaseDisplacement(heading=TURN_STEP)),
-    DiscreteAction.TURN_RIGHT: lambda simulator: simulator._displace(BaseDisplacement(heading=-TURN_STEP)),
+    DiscreteAction.MOVE_FORWARD: lambda simulator: simulator._displace(BaseDisplacement(x=ACTION_LIMITS.forward_step)),
+    DiscreteAction.TURN_LEFT: lambda simulator: simulator._displace(BaseDisplacement(heading=ACTION_LIMITS.turn_step)),
+    DiscreteAction.TURN_RIGHT: lambda simulator: simulator._displace(
+        BaseDisplacement(heading=-ACTION_LIMITS.turn_step)
+    ),
     DiscreteAction.NAVIGATION_MODE: Simulator._navigation_mode,
     DiscreteAction.MANIPULATION_MODE: Simulator._manipulation_mode,
     DiscreteAction.EXTEND_ARM: Simulator._extend_arm,

@@ -5,9 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-MAX_DEPTH = 10.0
-"""The head camera's range (m): beyond it, depth is 0."""
-
 
 @dataclass(frozen=True)
 class Frame:
@@ -15,7 +12,7 @@ class Frame:
 
     Attributes:
         rgb: (H, W, 3) uint8.
-        depth: (H, W) float32, metres along the optical axis; 0 where nothing is within `MAX_DEPTH`.
+        depth: (H, W) float32, metres along the optical axis; 0 where nothing is within `uniteam.stretch.DEPTH_RANGE`.
         instances: (H, W) int16; index into the home's instances, -1 for the stage, the robot and the void.
     """
 

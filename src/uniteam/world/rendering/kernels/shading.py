@@ -9,7 +9,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from uniteam.world.rendering.kernels.frame import MAX_DEPTH
+from uniteam.stretch import DEPTH_RANGE
 from uniteam.world.rendering.kernels.scene_buffers import SceneBuffers, Workspace
 
 BACKGROUND = (196, 206, 214)
@@ -112,7 +112,7 @@ def shade(
             rgb[y, x, 0] = np.uint8(min(texel_red * red * light, np.float32(255.0)))
             rgb[y, x, 1] = np.uint8(min(texel_green * green * light, np.float32(255.0)))
             rgb[y, x, 2] = np.uint8(min(texel_blue * blue * light, np.float32(255.0)))
-            depth[y, x] = distance if distance <= np.float32(MAX_DEPTH) else zero
+            depth[y, x] = distance if distance <= np.float32(DEPTH_RANGE) else zero
             instances[y, x] = label
 
 
