@@ -81,9 +81,22 @@ def make_agent(
     """
     entry = _entry(name, with_, without)
     PERCEPTIONS.get(perception)
+    return build_agent(name, entry, AgentContext(perception, environment if is_told_the_truth(name) else None))
+
+
+def build_agent(name: str, entry: AgentConfig | AgentFactory, context: AgentContext) -> Agent:
+    """Return a new agent of a configuration or a factory.
+
+    Args:
+        name: what to call it where something is wrong.
+        entry: what it is made by.
+        context: what it may be made of.
+
+    Raises:
+        InvalidInputError: what the factory makes is no agent.
+    """
     if isinstance(entry, AgentConfig):
-        return HeuristicAgent(entry, make_perception(perception))
-    context = AgentContext(perception, environment if is_told_the_truth(name) else None)
+        return HeuristicAgent(entry, context.make_perception())
     return _checked_agent(name, _call(entry, context))
 
 

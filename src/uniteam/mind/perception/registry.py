@@ -32,7 +32,12 @@ def make_perception(name: str) -> Perception:
         UnknownNameError: there is none of this name; the message offers the nearest.
         InvalidInputError: what the factory makes cannot perceive.
     """
-    made = PERCEPTIONS.get(name)()
+    return build_perception(name, PERCEPTIONS.get(name))
+
+
+def build_perception(name: str, factory: PerceptionFactory) -> Perception:
+    """Return a new perception; raises InvalidInputError, with what it is called, where what is made cannot perceive."""
+    made = factory()
     missing = [method for method in ("reset", "perceive") if not callable(getattr(made, method, None))]
     if missing:
         raise InvalidInputError(
