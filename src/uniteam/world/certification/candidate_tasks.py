@@ -16,7 +16,7 @@ DISTRACTOR_DISTANCE = 2.0
 
 
 @dataclass(frozen=True)
-class Task:
+class CandidateTask:
     """An instruction that makes sense in a home.
 
     Attributes:
@@ -62,7 +62,7 @@ class Tally:
         return 1.0 / ((1 + goal) ** 2 * (1 + self.objects[instruction.object_category]) * (1 + start) ** 0.5)
 
 
-def possible_tasks(home: Home, support: Mapping[str, str]) -> tuple[Task, ...]:
+def possible_tasks(home: Home, support: Mapping[str, str]) -> tuple[CandidateTask, ...]:
     """Return the tasks of a home; `support` gives, by an object's name, the receptacle on which it lies."""
     goals = _names_by_category(i for i in home.instances if home.model_of(i).role == "receptacle")
     lying: dict[tuple[str, str], list[str]] = {}
@@ -74,13 +74,17 @@ def possible_tasks(home: Home, support: Mapping[str, str]) -> tuple[Task, ...]:
         return tuple(sorted({support[name] for name in names}))
 
     return tuple(
-        Task(Instruction(category, start, goal), tuple(names), held_by(names), tuple(goals[goal]), category in unseen)
+        CandidateTask(
+            Instruction(category, start, goal), tuple(names), held_by(names), tuple(goals[goal]), category in unseen
+        )
         for ((category, start), names), goal in product(lying.items(), goals)
         if goal != start and _is_unambiguous(home, category, names)
     )
 
 
-def in_order_of_variety(tasks: tuple[Task, ...], tally: Tally, rng: np.random.Generator) -> Iterator[Task]:
+def in_order_of_variety(
+    tasks: tuple[CandidateTask, ...], tally: Tally, rng: np.random.Generator
+) -> Iterator[CandidateTask]:
     """Yield tasks in random order, those with classes that the split lacks sooner."""
     if tasks:
         weights = np.array([tally.weight(task.instruction) for task in tasks])

@@ -13,7 +13,7 @@ import numpy as np
 from uniteam.geometry import BasePose
 from uniteam.interface import Action, DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF
-from uniteam.world.certification.candidate_tasks import Task
+from uniteam.world.certification.candidate_tasks import CandidateTask
 from uniteam.world.certification.release_poses import release_ways
 from uniteam.world.certification.view_points import Viewpoints
 from uniteam.world.homes.home import Home
@@ -46,7 +46,7 @@ class Certifier:
         self._grasps: dict[str, BasePose | None] = {}
         self._tried_releases: dict[tuple[str, str], Release | None] = {}
 
-    def certify(self, task: Task, identifier: str, start: BasePose, seed: int) -> Episode | None:
+    def certify(self, task: CandidateTask, identifier: str, start: BasePose, seed: int) -> Episode | None:
         """Return the episode of a task with its certificate, or None where no way was found to solve it."""
         objects = self._candidates(task.objects)
         goals = self._candidates(task.goals)

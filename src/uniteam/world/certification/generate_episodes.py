@@ -7,7 +7,7 @@ import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
-from uniteam.world.certification.candidate_tasks import Tally, Task, in_order_of_variety, possible_tasks
+from uniteam.world.certification.candidate_tasks import CandidateTask, Tally, in_order_of_variety, possible_tasks
 from uniteam.world.certification.certify import Certifier
 from uniteam.world.generation.objects.settling import resting_on
 from uniteam.world.homes.home import Home
@@ -35,7 +35,7 @@ class EpisodeMaker:
         self._certifier = Certifier(home)
         self._tasks = possible_tasks(home, resting_on(home, self._certifier.simulator.physics))
         self._used: set[Instruction] = set()
-        self._hopeless: set[Task] = set()
+        self._hopeless: set[CandidateTask] = set()
         self._failures: Counter[str] = Counter()
 
     def episodes(self, count: int) -> Iterator[Episode]:
@@ -59,7 +59,7 @@ class EpisodeMaker:
             self._failures[task.instruction.goal_receptacle] += 1
         return None
 
-    def _in_order(self) -> Iterable[Task]:
+    def _in_order(self) -> Iterable[CandidateTask]:
         """Yield the tasks left: the unseen first while the split has too few of them, else the seen first."""
         left = tuple(task for task in self._tasks if self._is_promising(task))
         wants_unseen = self._tally.unseen < UNSEEN_SHARE * (self._tally.total + 1)
@@ -68,11 +68,11 @@ class EpisodeMaker:
         yield from in_order_of_variety(first, self._tally, self._rng)
         yield from in_order_of_variety(second, self._tally, self._rng)
 
-    def _is_promising(self, task: Task) -> bool:
+    def _is_promising(self, task: CandidateTask) -> bool:
         is_new = task.instruction not in self._used and task not in self._hopeless
         return is_new and self._failures[task.instruction.goal_receptacle] < MOST_FAILURES
 
-    def _certify(self, task: Task, identifier: str) -> Episode | None:
+    def _certify(self, task: CandidateTask, identifier: str) -> Episode | None:
         start = self._start(task.objects)
         seed = int(self._rng.integers(2**31))
         return None if start is None else self._certifier.certify(task, identifier, start, seed)
