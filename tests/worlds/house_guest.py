@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from uniteam.interface import Decision, DiscreteAction, Instruction, Observation, Segmentation
-from uniteam.mind.agents.config import AgentConfig
-from uniteam.mind.agents.improvements import Improvement
+from uniteam.mind.agents.config import BASELINE, AgentConfig
+from uniteam.mind.agents.improvements import Improvement, improved
 from uniteam.mind.agents.registry import AgentContext
 from uniteam.world.generation.generate import generate_home
 from uniteam.world.homes.home import Home
@@ -48,6 +48,10 @@ def _impatient(config: AgentConfig) -> AgentConfig:
 
 
 careful = Improvement("careful", "does something with care that others do not", _impatient)
+
+
+sharp_edged = improved(BASELINE, ["edge_margin"])
+"""A configuration that does not say which improvement it has."""
 
 
 def cabins(seed: int) -> Home:

@@ -291,6 +291,14 @@ def test_any_mixture_can_be_named_from_either_end() -> None:
     assert agent_config("random") is None
 
 
+def test_what_a_configuration_of_ones_own_has_cannot_be_taken_away_and_what_it_lacks_need_not_be() -> None:
+    own = "worlds.house_guest:sharp_edged"
+    assert agent_config(own, without=["verify_pick"]) == improved(BASELINE, ["edge_margin"])
+    assert agent_config("baseline", without=["edge_margin"]) == BASELINE
+    with pytest.raises(InvalidInputError, match=r"'edge_margin' cannot be taken away from agent 'worlds\.house_guest:"):
+        agent_config(own, without=["edge_margin"])
+
+
 @pytest.mark.parametrize("name", ["baseline", "uniteam", "uniteam-plus", "random"])
 def test_every_agent_is_described_in_json_and_improvements_show(name: str) -> None:
     text = json.dumps(describe_agent(name))

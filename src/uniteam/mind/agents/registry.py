@@ -10,7 +10,7 @@ from uniteam.interface import Agent, Body, Perception
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
-from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, improved
+from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, ImprovementError, improved
 from uniteam.mind.agents.random_agent import RandomAgent
 from uniteam.mind.perception.registry import PERCEPTIONS, make_perception
 from uniteam.registry import Registry
@@ -77,7 +77,8 @@ def make_agent(
 
     Raises:
         UnknownNameError: an agent, a perception or an improvement that there is none of, with the nearest valid name.
-        InvalidInputError: what the factory makes is no agent.
+        ImprovementError: an improvement that does not fit the agent's configuration.
+        InvalidInputError: what the factory makes is no agent, or an improvement cannot be taken away from it.
     """
     entry = _entry(name, with_, without)
     PERCEPTIONS.get(perception)
@@ -132,9 +133,25 @@ def _entry(name: str, with_: Iterable[str], without: Iterable[str]) -> AgentConf
         IMPROVEMENTS.get(improvement)
     if not isinstance(entry, AgentConfig) or not (added or removed):
         return entry
-    own = [improvement.name for improvement in _OWN.get(name, ())]
-    base = BASELINE if name in _OWN else entry
-    return improved(base, [each for each in (*own, *added) if each not in removed])
+    if name in _OWN:
+        own = [improvement.name for improvement in _OWN[name]]
+        return improved(BASELINE, [each for each in (*own, *added) if each not in removed])
+    for improvement in removed:
+        _check_lacks(name, entry, improvement)
+    return improved(entry, [each for each in added if each not in removed])
+
+
+def _check_lacks(name: str, config: AgentConfig, improvement: str) -> None:
+    """Refuse to take away what a configuration seems to have: only what it would change is certainly not in it."""
+    try:
+        lacks = improved(config, [improvement]) != config
+    except ImprovementError:
+        lacks = False
+    if not lacks:
+        raise InvalidInputError(
+            f"improvement '{improvement}' cannot be taken away from agent '{name}', whose configuration does not say "
+            f"of what it is made; bring a configuration without it, to which --with {improvement} adds it"
+        )
 
 
 def _call(factory: AgentFactory, context: AgentContext) -> Agent:
