@@ -168,3 +168,11 @@ def test_a_file_that_is_no_home_is_named(tmp_path: Path) -> None:
         path.write_bytes(content)
         with pytest.raises(DamagedFileError, match=r"home\.json|home 'x'"):
             read_home(path)
+
+
+def test_a_file_in_which_a_field_comes_twice_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "home.json"
+    write_home(furnished(), path)
+    path.write_text(path.read_text().replace('"movable":', '"movable":true,"movable":', 1))
+    with pytest.raises(DamagedFileError, match=r"home\.json cannot be read \(the field 'movable' comes twice\)"):
+        read_home(path)

@@ -207,6 +207,20 @@ def test_view_points_that_make_no_sense_are_refused(tmp_path: Path, runs: list[A
         _load(lines, tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("field", "value"), [("seed", "7"), ("seed", "11"), ("x", "1.25"), ("low", "[0.0,0.0]"), ("home", '"home_1"')]
+)
+def test_a_field_that_comes_twice_in_a_line_is_refused(tmp_path: Path, field: str, value: str) -> None:
+    write_split(_split(), tmp_path / "good.jsonl.gz")
+    text = gzip.decompress((tmp_path / "good.jsonl.gz").read_bytes()).decode()
+    path = tmp_path / "doubled.jsonl"
+    said = f'"{field}":{value}'
+    assert said in text
+    path.write_text(text.replace(said, f"{said},{said}", 1))
+    with pytest.raises(DamagedFileError, match=rf"doubled\.jsonl .*line \d: the field '{field}' comes twice"):
+        load_split(path)
+
+
 def test_homes_view_points_and_instances_that_come_twice_are_refused(tmp_path: Path) -> None:
     lines = _lines(tmp_path)
     for doubled in lines[:3]:

@@ -1,5 +1,6 @@
 """Reading files that anybody may have written: as much as is sensible, and one sentence where that is not enough."""
 
+import json
 from pathlib import Path
 from typing import TypeVar
 
@@ -45,9 +46,29 @@ def read_json(path: Path, what: str, schema: type[Schema]) -> Schema:
     """Return the content of a JSON file that fits a schema; raises DamagedFileError that names the field at fault."""
     content = read_bytes(path, what, MOST_JSON)
     try:
-        return msgspec.json.decode(content, type=schema)
+        return decode_json(content, schema)
     except (msgspec.MsgspecError, RecursionError, ValueError) as error:
         raise damaged(path, what, str(error)) from error
+
+
+def decode_json(content: bytes, schema: type[Schema]) -> Schema:
+    """Return what JSON says that fits a schema.
+
+    Raises:
+        msgspec.MsgspecError: it is no JSON, or does not fit.
+        RecursionError: it is nested too deeply.
+        ValueError: a field stands twice in one object, so that readers differ in which they take.
+    """
+    value = msgspec.json.decode(content, type=schema)
+    json.loads(content, object_pairs_hook=_refuse_doubled)
+    return value
+
+
+def _refuse_doubled(pairs: list[tuple[str, object]]) -> None:
+    fields = [field for field, _ in pairs]
+    if len(set(fields)) < len(fields):
+        doubled = next(field for field in fields if fields.count(field) > 1)
+        raise ValueError(f"the field {doubled[:100]!r} comes twice")
 
 
 def modified(path: Path) -> tuple[int, int]:

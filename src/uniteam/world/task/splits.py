@@ -19,6 +19,7 @@ from uniteam.errors import DamagedFileError, UniteamError, UnknownNameError
 from uniteam.files import write_whole
 from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction, Joints
+from uniteam.world.assets.reading import decode_json
 from uniteam.world.homes.home import Home
 from uniteam.world.homes.serialization import home_from_data, home_to_data
 from uniteam.world.task.check_episode import episode_problems
@@ -79,7 +80,7 @@ class _Contents:
 
     def add(self, line: bytes) -> None:
         """Take in a line."""
-        data = msgspec.json.decode(line, type=LineData)
+        data = decode_json(line, LineData)
         if sum(part is not msgspec.UNSET for part in (data.home, data.view_points, data.episode)) != 1:
             raise ValueError("it must hold one of home, view_points and episode")
         if data.home is not msgspec.UNSET:
