@@ -1,11 +1,15 @@
 """Where compiled kernels are kept between runs: a folder that can be written must be found before numba is imported.
 
 numba looks beside the source, then in the user's cache, and fails where neither can be written (containers, clusters).
+It compiles a kernel anew when the kernel's own file changes, and not when another does that the kernel takes a type, a
+constant or a function from: then it runs the old one, or cannot read its cache at all. So the kernels of other sources
+are kept in another folder.
 """
 
 import os
 import stat
 import sys
+from hashlib import sha256
 from pathlib import Path
 
 from uniteam.errors import InvalidInputError
@@ -13,19 +17,49 @@ from uniteam.errors import InvalidInputError
 VARIABLE = "NUMBA_CACHE_DIR"
 THREADS = "NUMBA_NUM_THREADS"
 
+SOURCES = (
+    "mind/mapping/projection.py",
+    "mind/navigation/planning/distance_field.py",
+    "stretch.py",
+    "world/oracle/true_paths.py",
+    "world/rendering/kernels/culling.py",
+    "world/rendering/kernels/lighting.py",
+    "world/rendering/kernels/rasteriser.py",
+    "world/rendering/kernels/scene_buffers.py",
+    "world/rendering/kernels/shading.py",
+)
+"""The files of the package with kernels, and those from which kernels take anything."""
+
+_PREFIX = "uniteam-kernels-"
+
 
 def ensure_cache() -> None:
-    """Have numba keep its kernels in a temporary folder where it would find no other; worker processes inherit it."""
-    if not os.environ.get(VARIABLE) and not (_can_write(_beside_source()) or _can_write(_user_cache())):
-        os.environ[VARIABLE] = _temporary_folder()
+    """Have numba keep the kernels of these sources in a folder of their own; worker processes inherit it."""
+    os.environ[VARIABLE] = str(_place() / f"{_PREFIX}{_digest()}")
 
 
 def cache_folder() -> tuple[Path, bool]:
     """Return the folder of the compiled kernels, and whether it lasts."""
+    chosen = os.environ[VARIABLE]
+    return Path(chosen), not chosen.startswith(_temporary_prefix())
+
+
+def _place() -> Path:
+    """Return where the folder belongs: where the user wants it, or the first place that can be written."""
     chosen = os.environ.get(VARIABLE)
     if chosen:
-        return Path(chosen), not chosen.startswith(_temporary_prefix())
-    return (_beside_source() if _can_write(_beside_source()) else _user_cache()), True
+        return Path(chosen).parent if Path(chosen).name.startswith(_PREFIX) else Path(chosen)
+    lasting = next((place for place in (_beside_source(), _user_cache()) if _can_write(place)), None)
+    return Path(_temporary_folder()) if lasting is None else lasting
+
+
+def _digest() -> str:
+    package = Path(__file__).parent
+    content = sha256()
+    for source in SOURCES:
+        path = package / source
+        content.update(sha256(path.read_bytes() if path.is_file() else b"").digest())
+    return content.hexdigest()[:12]
 
 
 def check_environment() -> None:
@@ -76,7 +110,7 @@ def _temporary_folder() -> str:
 def _temporary_prefix() -> str:
     import tempfile
 
-    return str(Path(tempfile.gettempdir()) / "uniteam-kernels-")
+    return str(Path(tempfile.gettempdir()) / "uniteam-numba-")
 
 
 def _user() -> int:
