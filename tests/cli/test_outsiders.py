@@ -101,11 +101,27 @@ def test_an_installed_agent_perception_and_improvement_play_in_worker_processes(
     assert not any(row["traceback"] for row in played)
 
 
-def test_an_installed_source_of_homes_makes_homes_and_episodes(installed: Path, tmp_path: Path) -> None:
+def test_an_installed_source_of_homes_makes_homes(installed: Path, tmp_path: Path) -> None:
     done = uniteam(tmp_path, "home", "7", "--source", "cabins", "--out", "seven", site=installed)
     assert done.stderr == ""
     assert "cabin_7" in done.stdout
     assert (tmp_path / "seven" / "plan.png").stat().st_size > 1000
+
+
+def test_episodes_in_homes_of_an_installed_source_are_certified_and_played_in_worker_processes(
+    installed: Path, tmp_path: Path
+) -> None:
+    command = ("episodes", "--homes", "7:9", "--per-home", "1", "--source", "cabins", "--out", "cabins.jsonl.gz")
+    made = uniteam(tmp_path, *command, site=installed)
+    assert (made.returncode, made.stderr) == (0, "")
+    assert "2 episodes in 2 homes" in made.stdout
+    done = evaluate(tmp_path, "--split", "cabins.jsonl.gz", "--agents", "oracle", "spinner", site=installed)
+    assert (done.returncode, done.stderr) == (0, "")
+    played = results(tmp_path)
+    assert {(row["agent"], row["home"]) for row in played} == {
+        (agent, home) for agent in ("oracle", "spinner") for home in ("cabin_7", "cabin_8")
+    }
+    assert all(row["measures"]["place_success"] for row in played if row["agent"] == "oracle")
 
 
 def test_an_agent_of_the_present_folder_has_its_row_its_film_and_is_taken_up_again(workshop: Path) -> None:

@@ -16,6 +16,7 @@ from worlds import jobs
 from worlds.jobs import FOREVER, CountStarts
 
 from uniteam.errors import UniteamError
+from uniteam.evaluation.backends import processes
 from uniteam.evaluation.backends.processes import SINGLE_THREADED, Lost, OutOfTime, WorkerProcesses
 
 
@@ -108,10 +109,28 @@ def test_workers_are_single_threaded_and_the_parent_is_left_as_it_was() -> None:
     assert signal.pthread_sigmask(signal.SIG_BLOCK, []) == mask
 
 
-def test_what_a_worker_logs_comes_out_in_the_parent(caplog: pytest.LogCaptureFixture) -> None:
-    with caplog.at_level(logging.WARNING):
-        outcomes_of(jobs.log, ["the map is full"])
-    assert [(record.name, record.getMessage()) for record in caplog.records] == [("a_module", "the map is full")]
+class Collected(logging.Handler):
+    """Keeps what it is handed."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.records: list[logging.LogRecord] = []
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.records.append(record)
+
+
+def test_what_a_worker_logs_comes_out_in_the_parent_and_only_there(
+    capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The logger is this test's alone: what other tests have left at the root neither hears it nor prints it."""
+    logger, collected = logging.getLogger("a_module"), Collected()
+    monkeypatch.setattr(logger, "handlers", [collected])
+    monkeypatch.setattr(logger, "propagate", False)
+    monkeypatch.setattr(logging.getLogger(processes.__name__), "level", logging.WARNING)
+    assert outcomes_of(jobs.log, ["the map is full"]) == {"the map is full": "the map is full"}
+    assert [(record.name, record.getMessage()) for record in collected.records] == [("a_module", "the map is full")]
+    assert capfd.readouterr().err == ""
 
 
 def test_threads_that_an_agent_leaves_behind_do_not_keep_its_worker() -> None:
