@@ -1,36 +1,18 @@
 """The example of a home of one's own works as its first lines say."""
 
-import sys
 from pathlib import Path
 
-import pytest
+from examples.conftest import Call
 
-from uniteam.cli.main import main
 from uniteam.world.task.splits import load_split
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
 
-
-@pytest.fixture(autouse=True)
-def in_examples(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.syspath_prepend(EXAMPLES)
-    monkeypatch.setattr(sys, "dont_write_bytecode", True)
-
-
-def call(*arguments: str) -> int:
-    """Run `uniteam` in this process and return its exit code."""
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    assert isinstance(ended.value.code, int)
-    return ended.value.code
-
-
-def test_the_loft_is_drawn(tmp_path: Path) -> None:
+def test_the_loft_is_drawn(call: Call, tmp_path: Path) -> None:
     assert call("home", "7", "--source", "bring_a_home:loft", "--out", str(tmp_path)) == 0
     assert {path.name for path in tmp_path.iterdir()} == {"plan.png", "above.png", "loft.png"}
 
 
-def test_episodes_are_made_in_the_loft(tmp_path: Path) -> None:
+def test_episodes_are_made_in_the_loft(call: Call, tmp_path: Path) -> None:
     out = tmp_path / "loft.jsonl.gz"
     assert call("episodes", "--homes", "0", "--per-home", "1", "--source", "bring_a_home:loft", "--out", str(out)) == 0
     split = load_split(out)
