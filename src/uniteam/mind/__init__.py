@@ -1,0 +1,1 @@
+"""The agents: perception, map, navigation, manipulation, and the state machine that joins them."""

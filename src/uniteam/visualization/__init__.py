@@ -1,0 +1,1 @@
+"""Films, maps and pictures for people."""

@@ -1,0 +1,1 @@
+"""The agents: their configurations, the improvements, the state machine, and all of them by name."""

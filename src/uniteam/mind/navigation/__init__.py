@@ -1,0 +1,1 @@
+"""Where to go and how: goals, and plans that lead to them."""

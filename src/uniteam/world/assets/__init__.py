@@ -1,0 +1,1 @@
+"""Libraries of models and textures, and how their files are read."""

@@ -1,0 +1,1 @@
+"""Making furnished homes from seeds."""

@@ -1,0 +1,1 @@
+"""The agent that is told the truth, and plays episodes as they were certified."""

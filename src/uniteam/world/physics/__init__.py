@@ -1,0 +1,1 @@
+"""Where the base can stand, and how objects fall and rest."""

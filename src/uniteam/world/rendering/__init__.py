@@ -1,0 +1,1 @@
+"""What the head camera sees: colour, depth, and which instance each pixel shows."""

@@ -1,0 +1,1 @@
+"""A robot that acts in a home: motions, collisions, the gripper, and time."""

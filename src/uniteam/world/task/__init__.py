@@ -1,0 +1,1 @@
+"""The task: episodes and their files, the environment they are played in, and the measures."""

@@ -1,0 +1,1 @@
+"""Picking an object up, and the improvements of it."""

@@ -1,0 +1,1 @@
+"""Placing the object that is held, and the improvements of it."""

@@ -1,0 +1,1 @@
+"""What to head for: frontiers, objects, receptacles, and where to stand before them."""

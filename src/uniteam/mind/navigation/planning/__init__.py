@@ -1,0 +1,1 @@
+"""How to get there: obstacles, distances, and the next motion."""

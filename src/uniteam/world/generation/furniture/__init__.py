@@ -1,0 +1,1 @@
+"""Furnishing rooms: what stands, what hangs, what belongs together."""

@@ -1,0 +1,1 @@
+"""Scattering objects on furniture, and letting them come to rest."""

@@ -1,0 +1,1 @@
+"""Drawing a home's rooms, walls and openings."""

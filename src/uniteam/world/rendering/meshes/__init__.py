@@ -1,0 +1,1 @@
+"""The triangles of a home: walls, floors, models and the robot."""
