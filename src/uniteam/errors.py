@@ -7,6 +7,10 @@ from difflib import get_close_matches
 class UniteamError(Exception):
     """Base of every error a user can cause; the command line prints it as one sentence and exits with code 2."""
 
+    def __init__(self, sentence: str) -> None:
+        """Take the sentence; what it quotes that is not printable, such as a line's end, is written as its escape."""
+        super().__init__("".join(c if c.isprintable() else ascii(c)[1:-1] for c in str(sentence)))
+
 
 class UnknownNameError(UniteamError):
     """A name that is not among the valid ones; the message offers the nearest."""

@@ -274,6 +274,12 @@ def test_an_improvement_that_makes_no_configuration_is_refused() -> None:
         improved(BASELINE, [forgetful])
 
 
+def test_an_improvement_of_ones_own_that_fails_is_named() -> None:
+    misspelt = Improvement("quick", "looks around less", lambda config: replace(config, first_turn=3))  # type: ignore[call-arg]
+    with pytest.raises(ImprovementError, match=r"improvement 'quick' failed \(TypeError: .*first_turn"):
+        improved(BASELINE, [misspelt])
+
+
 def test_every_improvement_can_be_found_by_its_name_where_it_is_done() -> None:
     mind = Path(str(files("uniteam.mind")))
     text = "".join(p.read_text() for p in mind.rglob("*.py") if p.parent.name != "agents") + " ".join(

@@ -62,17 +62,27 @@ def improved(config: AgentConfig, improvements: Iterable[str | Improvement]) -> 
 
     Raises:
         UnknownNameError: there is none of a name; the message offers the nearest.
-        ImprovementError: one that does not fit, or makes something else than a configuration.
+        ImprovementError: one that does not fit, fails, or makes something else than a configuration.
     """
     given = (i if isinstance(i, Improvement) else IMPROVEMENTS.get(i) for i in improvements)
     chosen = {improvement.name: improvement for improvement in given}
     for improvement in sorted(chosen.values(), key=_place_in_order):
-        config = improvement.apply(config)
-        if not isinstance(config, AgentConfig):
-            raise ImprovementError(
-                f"improvement '{improvement.name}' must return an AgentConfig, but returned {type(config).__name__}"
-            )
+        config = _applied(improvement, config)
     return config
+
+
+def _applied(improvement: Improvement, config: AgentConfig) -> AgentConfig:
+    try:
+        changed = improvement.apply(config)
+    except UniteamError:
+        raise
+    except Exception as error:  # whatever an improvement of the user's raises
+        raise ImprovementError(f"improvement '{improvement.name}' failed ({type(error).__name__}: {error})") from error
+    if not isinstance(changed, AgentConfig):
+        raise ImprovementError(
+            f"improvement '{improvement.name}' must return an AgentConfig, but returned {type(changed).__name__}"
+        )
+    return changed
 
 
 def _place_in_order(improvement: Improvement) -> tuple[int, str]:
