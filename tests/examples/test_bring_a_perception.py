@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from examples.conftest import Call
 
+from uniteam.testing import check_perception
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.splits import load_split
 
@@ -18,6 +19,10 @@ def test_an_agent_plays_with_the_detector_that_wavers(
     assert "perception bring_a_perception:Wavering" in " ".join(told.split())
     assert "uniteam-plus, loft-0-mug: " in told
     assert "crashed" not in told
+
+
+def test_the_detector_that_wavers_keeps_what_a_perception_promises() -> None:
+    check_perception("bring_a_perception:Wavering")
 
 
 def test_the_detector_that_wavers_misses_what_is_far_and_is_never_sure_of_it(tidy_loft: Path) -> None:

@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 from examples.conftest import Call
 
+from uniteam.testing import check_agent
+
 
 def test_the_wanderer_has_its_row_in_the_table(
     call: Call, tidy_loft: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -14,6 +16,10 @@ def test_the_wanderer_has_its_row_in_the_table(
     told = capsys.readouterr().out
     assert "bring_an_agent:Wanderer, loft-2-mug: " in told
     assert "crashed" not in told
+
+
+def test_the_wanderer_keeps_what_an_agent_promises() -> None:
+    check_agent("bring_an_agent:Wanderer")
 
 
 def test_the_wanderer_drives_turns_and_stops_before_the_cup(
