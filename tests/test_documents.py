@@ -14,6 +14,7 @@ import pytest
 import tyro
 
 import uniteam
+import uniteam.testing
 from uniteam.cli.main import COMMANDS, _load
 from uniteam.evaluation.agent_spec import AGENTS
 from uniteam.evaluation.results.result import EpisodeResult, result_to_line
@@ -157,6 +158,7 @@ def test_the_table_of_splits_counts_their_episodes_and_homes(name: str) -> None:
 def test_every_public_name_has_its_entry_in_the_reference() -> None:
     shown = set(re.findall(r"^::: (\S+)$", TEXT[ROOT / "docs" / "reference.md"], flags=re.MULTILINE))
     wanted = {f"{module}.{name}" for name, module in uniteam._MODULE_OF.items()}
+    wanted |= {f"{getattr(uniteam.testing, name).__module__}.{name}" for name in uniteam.testing.__all__}
     assert shown >= wanted
 
 
