@@ -18,7 +18,7 @@ from uniteam.geometry import BasePose, PinholeCamera
 
 @dataclass(frozen=True)
 class Instruction:
-    """Move <object_category> from <start_receptacle> to <goal_receptacle>; the receptacles are classes of furniture."""
+    """Move `object_category` from `start_receptacle` to `goal_receptacle`; the receptacles are classes of furniture."""
 
     object_category: str
     start_receptacle: str
