@@ -10,6 +10,7 @@ from worlds.box_world import CAMERA, RADIUS, Box, cast, clearance, segmentation
 
 from uniteam.geometry import BasePose, PinholeCamera, transform_points
 from uniteam.interface import (
+    ACTION_LIMITS,
     Action,
     BaseDisplacement,
     DiscreteAction,
@@ -30,6 +31,11 @@ from uniteam.stretch import (
 )
 
 Point = tuple[float, float, float]
+DRIVES = {
+    DiscreteAction.MOVE_FORWARD: BaseDisplacement(x=ACTION_LIMITS.forward_step),
+    DiscreteAction.TURN_LEFT: BaseDisplacement(heading=ACTION_LIMITS.turn_step),
+    DiscreteAction.TURN_RIGHT: BaseDisplacement(heading=-ACTION_LIMITS.turn_step),
+}
 
 
 @dataclass
@@ -74,6 +80,8 @@ class ArmWorld:
         """Do an action as the simulator would."""
         if isinstance(action, BaseDisplacement):
             self._drive(action)
+        elif isinstance(action, DiscreteAction) and action in DRIVES:
+            self._drive(DRIVES[action])
         elif isinstance(action, JointDisplacement):
             self._drive(action.base)
             self._move(clamp_joints(self.joints + action.delta))

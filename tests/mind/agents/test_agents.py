@@ -18,7 +18,6 @@ from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import (
     Action,
-    BaseDisplacement,
     Decision,
     Detection,
     DiscreteAction,
@@ -58,17 +57,8 @@ def drive(agent: HeuristicAgent, world: ArmWorld, most_steps: int = 400) -> list
         decisions.append(decision)
         if decision.action is DiscreteAction.STOP:
             break
-        world.do(_moved(decision.action))
+        world.do(decision.action)
     return decisions
-
-
-def _moved(action: Action) -> Action:
-    motions: dict[Action, Action] = {
-        DiscreteAction.MOVE_FORWARD: BaseDisplacement(x=0.25),
-        DiscreteAction.TURN_LEFT: BaseDisplacement(heading=math.radians(30)),
-        DiscreteAction.TURN_RIGHT: BaseDisplacement(heading=-math.radians(30)),
-    }
-    return motions.get(action, action)
 
 
 def states(decisions: list[Decision]) -> list[str]:
@@ -121,7 +111,7 @@ def test_every_decision_gives_a_reason_that_is_a_sentence_and_an_overlay_that_ca
         assert explanation.segmentation is not None and explanation.overlay is not None
         overlay = explanation.overlay
         assert overlay.labels.ndim == 2 and overlay.labels.any()
-        world.do(_moved(decision.action))
+        world.do(decision.action)
 
 
 def test_verify_pick_returns_to_the_search_and_the_baseline_carries_nothing_to_the_bed() -> None:
@@ -190,7 +180,7 @@ class InvisibleWall(ArmWorld):
     def do(self, action: Action) -> None:
         before = self.base
         super().do(action)
-        if not (isinstance(action, BaseDisplacement) and action.x):
+        if action is not DiscreteAction.MOVE_FORWARD:
             return
         is_blocked = self.base.x > 0.6 and -0.6 < self.base.y < 0.6
         self.base = before if is_blocked else self.base

@@ -21,8 +21,11 @@ from uniteam.mind.manipulation.place.drop_height import LOW_DROP, ClearSurface
 from uniteam.mind.manipulation.place.edge_margin import EDGE_SAMPLES, EdgeMargin
 from uniteam.mind.manipulation.place.flat_ground import FlatGround
 from uniteam.mind.manipulation.place.headroom import points_with_headroom
+from uniteam.mind.manipulation.place.motion import ExactMotion
+from uniteam.mind.manipulation.place.receptacle_mask import whole_mask
 from uniteam.mind.manipulation.place.stepwise_place import CloseInStepwise
 from uniteam.mind.manipulation.place.surface_fallback import OntoFlatSurface
+from uniteam.mind.manipulation.place.withdraw import stay
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
 from uniteam.mind.navigation.goals.goal_or_frontier import StuckDetector
 from uniteam.mind.navigation.goals.receptacle_probability import MostProbableReceptacle
@@ -273,6 +276,13 @@ BEYOND: tuple[Improvement, ...] = (
         "the object is released with the wrist level, from which the gripper gets farther and higher",
         place__release__wrist_pitch=LEVEL_WRIST,
     ),
+    _replacing(
+        "exact_motion",
+        "placing, the base turns and drives by what is asked for, and the robot knows where it has got to",
+        place__motion=ExactMotion(),
+    ),
+    _replacing("whole_mask", "the goal receptacle is seen to the rim of its mask", place__receptacle=whole_mask),
+    _replacing("still_arm", "the arm stays where it let go", place__withdraw=stay),
     _replacing("low_drop", "a small object is released close above the surface", place__release__least_height=LOW_DROP),
 )
 """What uniteam does beyond the report."""

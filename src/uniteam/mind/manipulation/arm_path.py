@@ -62,10 +62,17 @@ def _words(start: Joints, end: Joints) -> str:
     return f"I bring the lift to {end.lift:.2f} m."
 
 
-def let_go(view: View, rest_steps: int) -> Skill[View]:
-    """Open the gripper and wait until what it held has come to rest."""
-    name = view.instruction.object_category.replace("_", " ")
-    view = yield discrete(DiscreteAction.DESNAP_OBJECT, f"I let go of the {name}.")
-    for _ in range(rest_steps):
-        view = yield discrete(DiscreteAction.EMPTY_ACTION, f"I wait until the {name} has come to rest.")
+def let_go(view: View) -> Skill[View]:
+    """Open the gripper."""
+    return (yield discrete(DiscreteAction.DESNAP_OBJECT, f"I let go of the {_object(view)}."))
+
+
+def wait_for_rest(view: View, steps: int) -> Skill[View]:
+    """Wait so many steps until what was let go has come to rest."""
+    for _ in range(steps):
+        view = yield discrete(DiscreteAction.EMPTY_ACTION, f"I wait until the {_object(view)} has come to rest.")
     return view
+
+
+def _object(view: View) -> str:
+    return view.instruction.object_category.replace("_", " ")

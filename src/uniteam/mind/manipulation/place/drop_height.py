@@ -6,6 +6,10 @@ from dataclasses import dataclass
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.arm_reach import HANGING_WRIST, ArmReach
 
+LIFT_ABOVE_SURFACE = 0.40
+"""m; HomeRobot sets the joint of the lift so much higher than the surface. The hanging gripper is lower than that."""
+BASELINE_HEIGHT = LIFT_ABOVE_SURFACE + ArmReach.of_wrist(HANGING_WRIST).low
+"""m; of the grasp centre above the surface."""
 LOW_DROP = 0.15
 """m; from here a thing falls without tipping over, and a noisy surface is not touched."""
 
@@ -41,7 +45,7 @@ class Release:
     """
 
     wrist_pitch: float = HANGING_WRIST
-    least_height: float = 0.4
+    least_height: float = BASELINE_HEIGHT
     height_for: Callable[[Load], float] = whatever_its_size
 
     def height_above_surface(self, load: Load) -> float:

@@ -3,7 +3,6 @@
 import numpy as np
 
 from uniteam.geometry import BasePose, invert_transform, transform_points
-from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.view import Points, View
 from uniteam.stretch import BASE_RADIUS
 
@@ -25,10 +24,15 @@ class LocalCloud:
         self._goal = np.zeros((0, 3))
         self._surroundings = np.zeros((0, 3))
 
-    def add(self, view: View) -> None:
-        """Add what a view shows; the arm must be retracted in it, or it is taken for furniture."""
+    def add(self, view: View, goal: Points) -> None:
+        """Add what a view shows; the arm must be retracted in it, or it is taken for furniture.
+
+        Args:
+            view: what is seen.
+            goal: (N, 3) points (m, base frame) of it that are the goal receptacle's.
+        """
         pose = view.observation.base_to_start
-        self._goal = _merge(self._goal, _to_start(_around(view.points(ClassRole.GOAL_RECEPTACLE)), pose))
+        self._goal = _merge(self._goal, _to_start(_around(goal), pose))
         self._surroundings = _merge(self._surroundings, _to_start(_around(view.surroundings()), pose))
 
     def goal_points(self, pose: BasePose) -> Points:

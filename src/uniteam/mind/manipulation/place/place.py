@@ -1,15 +1,18 @@
 """Placing: close in on the goal receptacle, bring the gripper over it, let go, and wait for the fall."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from uniteam.interface import DiscreteAction
 from uniteam.mind.manipulation.arm_clearance import Load
-from uniteam.mind.manipulation.arm_path import ArmPath, follow, let_go
+from uniteam.mind.manipulation.arm_path import ArmPath, follow, let_go, wait_for_rest
 from uniteam.mind.manipulation.place.drop_height import Release
+from uniteam.mind.manipulation.place.motion import Motion, WholeSteps
 from uniteam.mind.manipulation.place.placing_points import ChoosePoints, PlacingPoints
+from uniteam.mind.manipulation.place.receptacle_mask import inside_of_mask
+from uniteam.mind.manipulation.place.withdraw import lift_and_retract
 from uniteam.mind.skills.skill import Skill, discrete, turn
 from uniteam.mind.skills.view import Points, View
 from uniteam.stretch import looks_along_arm
@@ -49,6 +52,8 @@ class PlaceContext:
     Attributes:
         load: what the gripper holds.
         choose_points: where a thing can be put.
+        receptacle: which points are the goal receptacle's.
+        motion: how the base moves.
         release: how it is let go.
         find_path: how the arm gets there.
         generator: of the random choices.
@@ -56,6 +61,8 @@ class PlaceContext:
 
     load: Load
     choose_points: ChoosePoints
+    receptacle: Callable[[View], Points]
+    motion: Motion
     release: Release
     find_path: "FindPath"
     generator: np.random.Generator
@@ -75,12 +82,15 @@ class PlaceConfig:
 
     Attributes:
         choose_points: where a thing can be put.
+        receptacle: which of the points in view are the goal receptacle's.
+        motion: in which steps the base moves.
         close_in: how the robot gets from where navigation ended to where the arm reaches.
         find_path: how the arm gets from there over a placing point.
         release: how high and with which wrist the gripper lets go.
         fall_back: what to do where no receptacle is seen or reached.
         attempts: at how many places to try for an aim; at the last one the object is let go without one. The baseline
             has one, `more_attempts` several.
+        withdraw: what the arm does once it has let go.
         rest_steps: how long to wait for the object to come to rest.
     """
 
@@ -89,12 +99,17 @@ class PlaceConfig:
     find_path: FindPath
     release: Release
     fall_back: Fallback
+    receptacle: Callable[[View], Points] = inside_of_mask
+    motion: Motion = field(default_factory=WholeSteps)
+    withdraw: Callable[[View], Skill[View]] = lift_and_retract
     attempts: int = 1
     rest_steps: int = 200
 
     def context(self, load: Load, generator: np.random.Generator) -> PlaceContext:
         """Return what the strategies need to know to place a load."""
-        return PlaceContext(load, self.choose_points, self.release, self.find_path, generator)
+        return PlaceContext(
+            load, self.choose_points, self.receptacle, self.motion, self.release, self.find_path, generator
+        )
 
 
 def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool) -> Skill[bool]:
@@ -115,12 +130,14 @@ def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool)
         yield discrete(DiscreteAction.NAVIGATION_MODE, "The arm cannot place it from here; I try elsewhere.")
         return False
     if aim is None:
-        aim = yield from config.fall_back(view, context)
+        aim = yield from config.fall_back(view if stand is None else stand.view, context)
     view = aim.view
     if aim.turn != 0.0:
         view = yield turn(aim.turn, "I turn so that the arm's line meets the placing point.")
     view = yield from follow(view, aim.path)
-    yield from let_go(view, config.rest_steps)
+    view = yield from let_go(view)
+    view = yield from config.withdraw(view)
+    yield from wait_for_rest(view, config.rest_steps)
     return True
 
 

@@ -12,10 +12,8 @@ from numpy.typing import NDArray
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.skills.view import Points
 
-SLAB_WIDTH = 0.2
-"""Side of the square around a placing point that should be at its height (m)."""
-SLAB_THICKNESS = 0.04
-"""Heights this close together (m) are equal."""
+SLAB = (0.2, 0.2, 0.015)
+"""m; how far the slab around a placing point that should be at its height reaches to either side: x, y, z."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +33,9 @@ class PlacingPoints:
         return np.argsort(-self.worth, kind="stable")
 
 
+NOWHERE = PlacingPoints(np.zeros((0, 3), dtype=np.float32), np.zeros(0))
+"""No point at all."""
+
 ChoosePoints = Callable[[Points, Load, np.random.Generator], PlacingPoints]
 """From the points seen of a receptacle and what is to be put there to the points on which it can be."""
 Weigh = Callable[[Points, Points, Load], NDArray[np.float64]]
@@ -49,14 +50,14 @@ def every_point(points: Points) -> Points:
 
 
 def slab_density(points: Points, samples: Points, load: Load) -> NDArray[np.float64]:
-    """Return the worth of samples by the number of points in the square of equal height around each.
+    """Return the worth of samples by the number of points in the slab of equal height around each.
 
-    The rule of HomeRobot's heuristic placing (arXiv 2306.11565). The fullest square is worth half its side, so that
-    worth is in metres from the edge here too.
+    The rule of HomeRobot's heuristic placing (arXiv 2306.11565). The fullest slab is worth half its side, so that worth
+    is in metres from the edge here too.
     """
-    half = np.array([SLAB_WIDTH, SLAB_WIDTH, SLAB_THICKNESS], dtype=np.float32) / 2
-    counts = np.array([np.count_nonzero((np.abs(points - sample) < half).all(axis=1)) for sample in samples])
-    return counts / max(1, counts.max(initial=0)) * (SLAB_WIDTH / 2)
+    half = np.array(SLAB, dtype=np.float32)
+    counts = np.array([np.count_nonzero((np.abs(points - sample) <= half).all(axis=1)) for sample in samples])
+    return counts / max(1, counts.max(initial=0)) * SLAB[0]
 
 
 def no_bonus(points: Points, samples: Points) -> NDArray[np.float64]:

@@ -1,15 +1,14 @@
 """Placing where no receptacle is detected: on a flat surface in reach, not blindly out (`surface_fallback`)."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
-from uniteam.mind.manipulation.place.baseline_place import blind_aim
+from uniteam.mind.manipulation.place.baseline_place import extend_blindly
 from uniteam.mind.manipulation.place.headroom import points_with_headroom
 from uniteam.mind.manipulation.place.local_cloud import LocalCloud
-from uniteam.mind.manipulation.place.place import Aim, PlaceContext, Stand, enter_manipulation_mode
+from uniteam.mind.manipulation.place.place import Aim, Fallback, PlaceContext, Stand, enter_manipulation_mode
 from uniteam.mind.manipulation.place.placing_points import PlacingPoints
-from uniteam.mind.manipulation.place.stepwise_place import TurnToLine
 from uniteam.mind.skills.skill import Skill
 from uniteam.mind.skills.view import View
 
@@ -20,27 +19,31 @@ class OntoFlatSurface:
 
     Attributes:
         lowest: height (m) above the floor from which a surface counts.
-        line_up: how the base turns to bring the arm's line over a point.
+        otherwise: what to do where there is none in reach.
     """
 
     lowest: float = 0.2
-    line_up: TurnToLine = field(default_factory=TurnToLine)
+    otherwise: Fallback = extend_blindly
 
     def __call__(self, view: View, context: PlaceContext) -> Skill[Aim]:
-        """Answer with an aim at a flat surface in reach; with the whole arm out where there is none."""
+        """Answer with an aim at a flat surface in reach; as otherwise where there is none."""
         nearby = LocalCloud()
         view = yield from enter_manipulation_mode(view, "I see no receptacle, so I look for a flat surface beside me.")
-        nearby.add(view)
+        nearby.add(view, context.receptacle(view))
         around = nearby.surroundings(view.observation.base_to_start)
         flat = points_with_headroom(around[around[:, 2] > self.lowest])
         if len(flat) == 0:
-            return blind_aim(view)
+            return (yield from self.otherwise(view, context))
         chosen = context.choose_points(flat, context.load, context.generator)
         in_reach = np.array([self._is_in_reach(context, x, y) for x, y, _ in chosen.points], dtype=np.bool_)
-        candidates = PlacingPoints(chosen.points[in_reach], chosen.worth[in_reach])
-        aim = context.find_path(Stand(view, candidates, around, self.line_up), context)
-        return blind_aim(view) if aim is None else aim
+        candidates = context.motion.in_line(
+            PlacingPoints(chosen.points[in_reach], chosen.worth[in_reach]), context.release.reach
+        )
+        aim = context.find_path(Stand(view, candidates, around, context.motion.line_up), context)
+        return (yield from self.otherwise(view, context)) if aim is None else aim
 
     def _is_in_reach(self, context: PlaceContext, x: float, y: float) -> bool:
         reach = context.release.reach
-        return reach.reaches(float(x), float(y)) and self.line_up(reach.turn_to(float(x), float(y))) is not None
+        return (
+            reach.reaches(float(x), float(y)) and context.motion.line_up(reach.turn_to(float(x), float(y))) is not None
+        )
