@@ -10,6 +10,8 @@ from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import DiscreteAction, Instruction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.map_config import MapConfig
+from uniteam.mind.mapping.projection import exact_pixels
+from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
@@ -17,6 +19,7 @@ from uniteam.mind.navigation.planning.planner import Plan, Planner, PlannerConfi
 from uniteam.mind.perception.vocabulary import role_scores
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(120, 160, math.radians(42.0))
+EXACT_MAP = MapConfig(project=exact_pixels, mark_visited=mark_line)
 INSTRUCTION = Instruction("cup", "table", "bed")
 
 
@@ -40,7 +43,7 @@ class Drive:
         map_config: MapConfig | None = None,
     ) -> "Drive":
         """Look once around from a base pose."""
-        drive = Drive(boxes, base, BirdsEyeMap(map_config), Planner(planner))
+        drive = Drive(boxes, base, BirdsEyeMap(map_config or EXACT_MAP), Planner(planner))
         for _ in range(12):
             drive.look()
             drive.base = drive.base.compose(BasePose(0.0, 0.0, math.radians(30.0)))

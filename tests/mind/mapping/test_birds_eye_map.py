@@ -1,6 +1,7 @@
-"""The bird's-eye-view map, on depth images cast in a world of boxes."""
+"""The bird's-eye-view map of exact pixels, on depth images cast in a world of boxes."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,8 +11,11 @@ from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.map_config import MapConfig
+from uniteam.mind.mapping.projection import exact_pixels
+from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.perception.vocabulary import ClassRole, role_scores
 
+EXACT = MapConfig(project=exact_pixels, mark_visited=mark_line)
 START = BasePose(0.0, 0.0, 0.0)
 ROLES = role_scores(Instruction("cup", "table", "bed"))
 TABLE = Box((1.5, -0.5, 0.7), (2.3, 0.5, 0.75), "table")
@@ -35,7 +39,7 @@ def solid_within(bird_map: BirdsEyeMap, x0: float, y0: float, x1: float, y1: flo
 
 
 def test_a_floor_alone_is_explored_and_no_obstacle() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     look_around(bird_map, ())
     assert not bird_map.obstacle.any()
     assert bird_map.explored[bird_map.to_cell(2.0, 0.3)]
@@ -43,7 +47,7 @@ def test_a_floor_alone_is_explored_and_no_obstacle() -> None:
 
 
 def test_walls_are_thin_straight_lines_where_they_stand() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     look_around(bird_map, room(-2.0, -2.0, 2.0, 2.0))
     rows, columns = np.nonzero(bird_map.obstacle)
     away = np.maximum(*np.abs(bird_map.to_points(np.stack([rows, columns], 1))).T)
@@ -53,20 +57,20 @@ def test_walls_are_thin_straight_lines_where_they_stand() -> None:
 
 
 def test_what_is_lower_than_ten_centimetres_or_above_the_robot_is_no_obstacle() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     look_around(bird_map, (Box((1.0, -0.5, 0.0), (2.0, 0.5, 0.08)), Box((1.0, -0.5, 1.45), (2.0, 0.5, 1.5))))
     assert not bird_map.obstacle.any()
 
 
 def test_a_table_leaves_its_legroom_unblocked_but_its_top_is_an_obstacle() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     look_around(bird_map, (TABLE,))
     assert solid_within(bird_map, 1.5, -0.5, 2.3, 0.5) > 250
     assert solid_within(bird_map, 0.0, -2.0, 1.4, 2.0) == 0
 
 
 def test_what_is_nearer_than_the_robots_own_radius_is_the_robot_itself() -> None:
-    config = MapConfig(min_depth=0.1)
+    config = replace(EXACT, min_depth=0.1)
     arm = Box((0.05, -0.2, 0.8), (0.25, 0.2, 0.95))
     bird_map = BirdsEyeMap(config)
     look(bird_map, (arm,))
@@ -74,14 +78,14 @@ def test_what_is_nearer_than_the_robots_own_radius_is_the_robot_itself() -> None
 
 
 def test_depth_beyond_the_range_is_not_mapped() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     look(bird_map, (Box((4.5, -1.0, 0.0), (4.6, 1.0, 1.0), "table"),))
     assert not bird_map.obstacle.any()
     assert not bird_map.class_cells(ClassRole.START_RECEPTACLE).any()
 
 
 def test_classes_land_where_they_stand_with_their_height() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     look(bird_map, (TABLE, CUP))
     assert bird_map.class_cells(ClassRole.OBJECT)[bird_map.to_cell(1.72, 0.0)]
     assert bird_map.class_height(ClassRole.START_RECEPTACLE)[bird_map.to_cell(1.9, 0.3)] == pytest.approx(
@@ -91,7 +95,7 @@ def test_classes_land_where_they_stand_with_their_height() -> None:
 
 
 def test_an_object_counts_as_on_the_start_receptacle_only_where_both_are() -> None:
-    on_table, on_floor = BirdsEyeMap(), BirdsEyeMap()
+    on_table, on_floor = BirdsEyeMap(EXACT), BirdsEyeMap(EXACT)
     look(on_table, (TABLE, CUP))
     look(on_floor, (TABLE, Box((1.2, 0.9, 0.0), (1.3, 1.0, 0.1), "cup")), BasePose(0.0, 0.0, 0.5))
     assert on_table.object_on_start_receptacle().any()
@@ -100,7 +104,7 @@ def test_an_object_counts_as_on_the_start_receptacle_only_where_both_are() -> No
 
 
 def test_one_class_may_be_start_and_goal_receptacle() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     observation = observe((TABLE,), BasePose(0.0, 0.0, 0.0))
     assert observation.truth is not None
     bird_map.update(observation, observation.truth, role_scores(Instruction("cup", "table", "table")))
@@ -110,7 +114,7 @@ def test_one_class_may_be_start_and_goal_receptacle() -> None:
 
 
 def test_probability_follows_the_scores_and_fades_when_the_class_is_gone() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     sure = Box(TABLE.low, TABLE.high, "table", 0.9)
     unsure = Box(TABLE.low, TABLE.high, "table", 0.5)
     nameless = Box(TABLE.low, TABLE.high)
@@ -128,7 +132,7 @@ def test_probability_follows_the_scores_and_fades_when_the_class_is_gone() -> No
 
 
 def test_the_robot_leaves_a_trail_and_has_been_close_to_a_metre_around() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     look(bird_map, ())
     look(bird_map, (), BasePose(1.0, 0.0, 0.0))
     assert all(bird_map.visited[bird_map.to_cell(x, 0.0)] for x in np.linspace(0.0, 1.0, 21))
@@ -138,7 +142,7 @@ def test_the_robot_leaves_a_trail_and_has_been_close_to_a_metre_around() -> None
 
 
 def test_the_map_grows_and_keeps_what_it_knew() -> None:
-    bird_map = BirdsEyeMap(MapConfig(initial_size=8.0))
+    bird_map = BirdsEyeMap(replace(EXACT, initial_size=8.0))
     look(bird_map, (TABLE, CUP))
     x, y = bird_map.points_of(bird_map.class_cells(ClassRole.OBJECT))[0]
     look(bird_map, (TABLE, CUP), BasePose(-9.0, -7.0, math.pi))
@@ -153,7 +157,7 @@ def test_full_and_half_resolution_agree() -> None:
     boxes = (*room(-2.0, -2.0, 2.5, 2.0), TABLE, CUP)
     maps = []
     for camera in (CAMERA, PinholeCamera.from_horizontal_fov(480, 640, math.radians(42.0))):
-        bird_map = BirdsEyeMap()
+        bird_map = BirdsEyeMap(EXACT)
         observation = observe(boxes, BasePose(0.0, 0.0, 0.3), camera)
         assert observation.truth is not None
         bird_map.update(observation, observation.truth, ROLES)
@@ -163,7 +167,7 @@ def test_full_and_half_resolution_agree() -> None:
 
 
 def test_nothing_detected_is_nothing_mapped() -> None:
-    bird_map = BirdsEyeMap()
+    bird_map = BirdsEyeMap(EXACT)
     observation: Observation = observe((TABLE,), BasePose(0.0, 0.0, 0.0))
     nothing = Segmentation(np.full((320, 240), -1, dtype=np.int16), ())
     stranger = Segmentation(np.zeros((320, 240), dtype=np.int16), (Detection((("ghost", 0.9),)),))

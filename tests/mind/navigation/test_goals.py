@@ -1,16 +1,16 @@
 """UniTeam's navigation strategies: each in a situation that the baseline's value does not master."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from worlds.box_world import Box, observe, room
-from worlds.driving import INSTRUCTION, Drive, arrived
+from worlds.driving import EXACT_MAP, INSTRUCTION, Drive, arrived
 
 from uniteam.geometry import BasePose
 from uniteam.grid import disc_mask
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
-from uniteam.mind.mapping.map_config import MapConfig
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
 from uniteam.mind.navigation.goals.exploration import (
@@ -83,7 +83,7 @@ def test_a_goal_receptacle_seen_far_away_is_remembered_and_headed_for() -> None:
     far = bed(6.5, -1.0, 7.5, 1.0)
     boxes = (*room(-3.0, -3.0, 8.0, 3.0), far)
     baseline = Drive.begin(boxes, START)
-    remembering = Drive.begin(boxes, START, map_config=MapConfig(class_depths=(3.5, 3.5, 10.0)))
+    remembering = Drive.begin(boxes, START, map_config=replace(EXACT_MAP, class_depths=(3.5, 3.5, 10.0)))
     first, found = baseline.step(SEARCH.for_receptacle()), remembering.step(SEARCH.for_receptacle())
     assert first is not None and found is not None
     assert first[0].kind is GoalKind.FRONTIER

@@ -26,6 +26,8 @@ from uniteam.mind.manipulation.place.receptacle_mask import whole_mask
 from uniteam.mind.manipulation.place.stepwise_place import CloseInStepwise
 from uniteam.mind.manipulation.place.surface_fallback import OntoFlatSurface
 from uniteam.mind.manipulation.place.withdraw import stay
+from uniteam.mind.mapping.projection import exact_pixels
+from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
 from uniteam.mind.navigation.goals.goal_or_frontier import StuckDetector
 from uniteam.mind.navigation.goals.receptacle_probability import MostProbableReceptacle
@@ -275,6 +277,14 @@ BEYOND: tuple[Improvement, ...] = (
         "level_wrist",
         "the object is released with the wrist level, from which the gripper gets farther and higher",
         place__release__wrist_pitch=LEVEL_WRIST,
+    ),
+    _replacing(
+        "exact_labels",
+        "each pixel marks the map by its own depth and label, where HomeRobot's blocks share one depth",
+        map__project=exact_pixels,
+    ),
+    _replacing(
+        "driven_line", "the line that the robot drove stays free, not only where it stood", map__mark_visited=mark_line
     ),
     _replacing(
         "exact_motion",

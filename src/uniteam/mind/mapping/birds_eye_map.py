@@ -11,7 +11,7 @@ from uniteam.geometry import BasePose
 from uniteam.grid import Cell, Grid, Mask, disc
 from uniteam.interface import Observation, Segmentation
 from uniteam.mind.mapping.map_config import MapConfig
-from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, MappedFrame, Scratch, project_frame
+from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, MappedFrame, Scratch
 from uniteam.mind.mapping.viewed_sides import Gaze, look_bits
 from uniteam.mind.perception.vocabulary import ClassRole, RoleScores
 
@@ -131,7 +131,7 @@ class BirdsEyeMap:
         base = observation.base_to_start
         self._cover(base)
         frame, limits = self._frame(observation, segmentation, roles), self.config.limits(observation.depth.size)
-        touched = project_frame(frame, limits, self._scratch, self._channels())
+        touched = self.config.project(frame, limits, self._scratch, self._channels())
         self._know(touched[:2], touched[2:])
         self._mark_robot(base)
         self._mark_look(base)
@@ -188,7 +188,7 @@ class BirdsEyeMap:
         cell = self.to_cell(base.x, base.y)
         last = self._last_base or base
         start = self.to_cell(last.x, last.y)
-        cv2.line(self.visited.view(np.uint8), start[::-1], cell[::-1], color=1)
+        self.config.mark_visited(self.visited, start, cell)
         self._last_base = base
         for channel, radius in (
             (self.been_close, self.config.been_close_radius),

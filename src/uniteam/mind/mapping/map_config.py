@@ -1,10 +1,14 @@
 """How frames become the cells of the bird's-eye-view map."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from uniteam.mind.mapping.projection import Limits
+from uniteam.grid import Cell, Mask
+from uniteam.mind.mapping.block_projection import averaged_blocks
+from uniteam.mind.mapping.projection import Channels, Limits, MappedFrame, Scratch
+from uniteam.mind.mapping.visited import mark_stand
 from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
 
 _REFERENCE_PIXELS = 240 * 320
@@ -25,14 +29,18 @@ class MapConfig:
         been_close_radius: the disc around the robot that it has been close to (m).
         explored_radius: the disc around the robot that counts as explored, which its camera cannot see (m).
         own_radius: points nearer than this to the base's axis are the robot itself (m).
+        project: writes a frame into the map's cells; returns the part of the map that may have changed.
+        mark_visited: marks where the robot has been between the cells of two steps.
         min_solid_points, min_class_points: how many points of one frame make a cell an obstacle or one of a class, in a
-            frame of 240 x 320 pixels; they grow with the number of pixels.
+            frame of 240 x 320 pixels; they grow with the number of pixels. Where `exact_labels` counts pixels.
         probability_gain: how far the running probability of a class moves to the score of a new sighting.
         probability_decay: the share it loses when the cell is seen again without the class.
         class_depths: up to which depth each `ClassRole` is mapped (m). HomeRobot maps all to `max_depth`, and keeps
             them; UniTeam's `early_goal_memory` keeps goal receptacles from as far as depth is measured.
     """
 
+    project: Callable[[MappedFrame, Limits, Scratch, Channels], tuple[int, int, int, int]] = averaged_blocks
+    mark_visited: Callable[[Mask, Cell, Cell], None] = mark_stand
     cell_size: float = 0.05
     initial_size: float = 24.0
     growth: float = 8.0

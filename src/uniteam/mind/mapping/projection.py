@@ -168,3 +168,8 @@ def project_frame(
     """
     touched = _count_points(frame, limits, scratch, channels.obstacle.shape)
     return _merge(scratch, touched, channels, limits)
+
+
+def exact_pixels(frame: MappedFrame, limits: Limits, scratch: Scratch, channels: Channels) -> tuple[int, int, int, int]:
+    """Bring a frame into the map pixel by pixel, each by its own depth and label: `exact_labels`."""
+    return project_frame(frame, limits, scratch, channels)
