@@ -15,6 +15,7 @@ from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import improved
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.arm_reach import HANGING_WRIST, ArmReach
+from uniteam.mind.manipulation.place.after_release import WaitSteps
 from uniteam.mind.manipulation.place.baseline_place import BLIND_LIFT
 from uniteam.mind.manipulation.place.place import PlaceConfig, place
 from uniteam.mind.manipulation.place.placing_points import PointRule, slab_density
@@ -30,9 +31,12 @@ def table(x: float, depth: float = 0.7, height: float = 0.75, name: str = "table
     return Box((x, -0.7, 0.0), (x + depth, 0.7, height), name)
 
 
+NOTHING_ELSE = np.zeros((0, 3), np.float32)
+
+
 def config(*improvements: str) -> PlaceConfig:
     """Return the baseline's placing with some improvements, and little patience for the fall."""
-    return replace(improved(BASELINE, set(improvements)).place, rest_steps=2)
+    return replace(improved(BASELINE, set(improvements)).place, wait=WaitSteps(2))
 
 
 def place_in(world: ArmWorld, settings: PlaceConfig, load: Load = CUP_LOAD, held: Box = CUP) -> list[object]:
@@ -59,7 +63,7 @@ def test_the_baseline_drives_to_a_table_lets_go_over_it_and_waits_for_the_fall()
     assert world.hits == []
     assert actions[:3] == [*[DiscreteAction.MOVE_FORWARD] * 2, DiscreteAction.MANIPULATION_MODE]
     assert actions[-2:] == [DiscreteAction.EMPTY_ACTION] * 2
-    assert BASELINE.place.rest_steps == 200
+    assert BASELINE.place.wait == WaitSteps(200)
 
 
 def test_the_baseline_sets_the_lift_joint_40_cm_above_the_surface_and_lifts_and_retracts_in_the_end() -> None:
@@ -116,7 +120,7 @@ def test_the_baseline_chooses_the_point_whose_slab_holds_most_points() -> None:
     generator = np.random.default_rng(0)
     crowd = np.column_stack([generator.uniform(0.0, 0.1, (400, 2)), np.full(400, 0.7)])
     scattered = np.column_stack([generator.uniform(1.0, 2.0, (400, 2)), generator.uniform(0.0, 0.7, 400)])
-    chosen = PointRule()(np.concatenate([crowd, scattered]).astype(np.float32), CUP_LOAD, generator)
+    chosen = PointRule()(np.concatenate([crowd, scattered]).astype(np.float32), NOTHING_ELSE, CUP_LOAD, generator)
     assert len(chosen.points) == 50
     best = chosen.points[chosen.best_first()[0]]
     assert best[0] < 0.2 and best[2] == pytest.approx(0.7)
@@ -161,8 +165,8 @@ def test_edge_margin_keeps_away_from_the_edge_and_from_what_lies_there() -> None
     top = np.column_stack([grid, np.full(len(grid), 0.7)]).astype(np.float32)
     near_edge = np.repeat(top[top[:, 0] < 0.02], 200, axis=0)
     cloud = np.concatenate([top, near_edge])
-    greedy = PointRule()(cloud, CUP_LOAD, np.random.default_rng(1))
-    careful = config("edge_margin").choose_points(cloud, CUP_LOAD, np.random.default_rng(1))
+    greedy = PointRule()(cloud, NOTHING_ELSE, CUP_LOAD, np.random.default_rng(1))
+    careful = config("edge_margin").choose_points(cloud, NOTHING_ELSE, CUP_LOAD, np.random.default_rng(1))
     assert greedy.points[greedy.best_first()[0]][0] < 0.03
     best = careful.points[careful.best_first()[0]]
     assert 0.11 < best[0] < 0.39 and 0.11 < best[1] < 0.39
@@ -180,7 +184,7 @@ def basin() -> Points:
 
 
 def test_edge_margin_takes_the_bottom_of_a_basin_for_safe() -> None:
-    chosen = config("edge_margin").choose_points(basin(), CUP_LOAD, np.random.default_rng(2))
+    chosen = config("edge_margin").choose_points(basin(), NOTHING_ELSE, CUP_LOAD, np.random.default_rng(2))
     best = chosen.points[chosen.best_first()[0]]
     assert best[2] < 0.9
     assert 0.04 < best[0] < 0.3 and 0.1 < best[1] < 0.3
@@ -188,7 +192,7 @@ def test_edge_margin_takes_the_bottom_of_a_basin_for_safe() -> None:
 
 def test_headroom_offers_no_walls_that_the_baseline_offers() -> None:
     rules = config().choose_points, config("headroom").choose_points
-    offered = [rule(basin(), CUP_LOAD, np.random.default_rng(2)).points for rule in rules]
+    offered = [rule(basin(), NOTHING_ELSE, CUP_LOAD, np.random.default_rng(2)).points for rule in rules]
     on_wall = [np.count_nonzero((points[:, 2] > 0.77) & (points[:, 2] < 0.87)) for points in offered]
     assert on_wall[0] > 0
     assert on_wall[1] == 0
@@ -203,7 +207,9 @@ def test_flat_ground_prefers_a_seat_to_a_wider_hollow() -> None:
     cloud = np.concatenate([seat, np.tile(hollow, (5, 1))]).astype(np.float32)
 
     def share_on_seat(settings: PlaceConfig) -> float:
-        bests = [settings.choose_points(cloud, CUP_LOAD, np.random.default_rng(seed)) for seed in range(12)]
+        bests = [
+            settings.choose_points(cloud, NOTHING_ELSE, CUP_LOAD, np.random.default_rng(seed)) for seed in range(12)
+        ]
         return float(np.mean([best.points[best.best_first()[0]][0] < 0.75 for best in bests]))
 
     assert share_on_seat(config("edge_margin")) < 0.5

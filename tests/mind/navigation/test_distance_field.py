@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import skfmm
+from numpy.typing import NDArray
 
 from uniteam.grid import Mask, disc_mask
 from uniteam.mind.navigation.planning.distance_field import COST_PER_CELL, distance_field, nearest_target, trace_path
@@ -10,6 +11,10 @@ from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goa
 from uniteam.mind.navigation.planning.traversible import connected_to
 
 CELL = 0.05
+
+
+def alike(free: Mask) -> NDArray[np.uint8]:
+    return np.ones(free.shape, dtype=np.uint8)
 
 
 def cluttered(seed: int, size: int = 240) -> Mask:
@@ -92,7 +97,7 @@ def test_a_search_stops_at_the_nearest_target_with_the_same_cost_as_the_whole_fi
     targets = np.zeros_like(free)
     targets[[100, 150, 220], [60, 200, 30]] = True
     targets &= free
-    reach = nearest_target(free, (20, 20), targets)
+    reach = nearest_target(free, alike(free), (20, 20), targets)
     source = np.zeros_like(free)
     source[20, 20] = True
     field = distance_field(free, source, CELL)
@@ -104,8 +109,8 @@ def test_a_path_keeps_to_free_cells_from_start_to_target() -> None:
     free = cluttered(5)
     targets = np.zeros_like(free)
     targets[disc_mask(free.shape, (225, 225), 4)] = True
-    reach = nearest_target(free, (20, 20), targets & free)
-    path = trace_path(free, reach, reach.target)
+    reach = nearest_target(free, alike(free), (20, 20), targets & free)
+    path = trace_path(free, alike(free), reach, reach.target)
     assert tuple(path[0]) == (20, 20)
     assert tuple(path[-1]) == reach.target
     assert free[path[:, 0], path[:, 1]].all()
@@ -125,9 +130,9 @@ def test_the_short_term_goal_looks_ahead_and_not_through_walls() -> None:
     free[30, :40] = False
     targets = np.zeros_like(free)
     targets[40, 5] = True
-    reach = nearest_target(free, (10, 5), targets)
-    path = trace_path(free, reach, reach.target)
-    ahead = np.array(find_short_term_goal(free, path, 5))
+    reach = nearest_target(free, alike(free), (10, 5), targets)
+    path = trace_path(free, alike(free), reach, reach.target)
+    ahead = np.array(find_short_term_goal(free, path, 5).cell)
     assert 4.0 < np.hypot(*(ahead - (10, 5))) < 6.0
     assert line_is_free(free, path[0], ahead)
     assert ahead[1] > 5
@@ -140,8 +145,8 @@ def test_at_a_bend_the_short_term_goal_is_still_a_whole_step_away() -> None:
     free[10:30, 12] = True
     targets = np.zeros_like(free)
     targets[28, 12] = True
-    reach = nearest_target(free, (10, 11), targets)
-    path = trace_path(free, reach, reach.target)
-    ahead = np.array(find_short_term_goal(free, path, 5))
+    reach = nearest_target(free, alike(free), (10, 11), targets)
+    path = trace_path(free, alike(free), reach, reach.target)
+    ahead = np.array(find_short_term_goal(free, path, 5).cell)
     assert 4.0 < np.hypot(*(ahead - (10, 11))) < 6.0
     assert ahead[0] >= 14

@@ -3,6 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from uniteam.mind.agents.last_round import Relaxation, give_up
+from uniteam.mind.manipulation.arm_clearance import Load
+from uniteam.mind.manipulation.load_footprint import base_alone
 from uniteam.mind.manipulation.pick.pick import BASELINE_PICK, PickConfig
 from uniteam.mind.manipulation.place.baseline_place import DriveInOneGo, extend_blindly, straight_path
 from uniteam.mind.manipulation.place.drop_height import Release
@@ -10,6 +13,7 @@ from uniteam.mind.manipulation.place.place import PlaceConfig
 from uniteam.mind.manipulation.place.placing_points import PointRule
 from uniteam.mind.mapping.map_config import MapConfig
 from uniteam.mind.navigation.goals.exploration import SearchConfig
+from uniteam.mind.navigation.goals.failed_goals import FailedGoals, remember_no_goals
 from uniteam.mind.navigation.goals.goal_or_frontier import Trail, never_stuck
 from uniteam.mind.navigation.planning.planner import PlannerConfig
 from uniteam.mind.perception.filters import Filter, ScoreFilter, Thresholds
@@ -29,6 +33,9 @@ class AgentConfig:
         place: how to place.
         steps_aside: after how many blocked motions in a row to step aside.
         is_stuck: when to leave what the robot heads for, for a frontier.
+        footprint: how much room (m) the robot needs around its axis with a load.
+        failed_goals: how places are remembered that could not be reached.
+        relax: after how many rounds what is forgotten once nothing is left to head for; None gives up.
         first_turns: turns of 30 degrees to look around with at first.
     """
 
@@ -40,6 +47,9 @@ class AgentConfig:
     place: PlaceConfig
     steps_aside: Callable[[int], bool] = never_step_aside
     is_stuck: Callable[[Trail], bool] = never_stuck
+    footprint: Callable[[Load], float] = base_alone
+    failed_goals: Callable[[], FailedGoals] = remember_no_goals
+    relax: Callable[[int], Relaxation | None] = give_up
     first_turns: int = 12
 
 

@@ -11,7 +11,9 @@ from typing import Any
 
 from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.mind.agents.config import BASELINE, AgentConfig
+from uniteam.mind.agents.last_round import LastRound
 from uniteam.mind.manipulation.arm_reach import LEVEL_WRIST
+from uniteam.mind.manipulation.load_footprint import LoadFootprint
 from uniteam.mind.manipulation.pick.look_around_pick import LookAround
 from uniteam.mind.manipulation.pick.reach_out_pick import ReachOut
 from uniteam.mind.manipulation.pick.tilt_head import TiltHead
@@ -22,17 +24,26 @@ from uniteam.mind.manipulation.place.edge_margin import EDGE_SAMPLES, EdgeMargin
 from uniteam.mind.manipulation.place.flat_ground import FlatGround
 from uniteam.mind.manipulation.place.headroom import points_with_headroom
 from uniteam.mind.manipulation.place.motion import ExactMotion
+from uniteam.mind.manipulation.place.occupied_surface import RoomAmongOthers
 from uniteam.mind.manipulation.place.receptacle_mask import whole_mask
 from uniteam.mind.manipulation.place.stepwise_place import CloseInStepwise
 from uniteam.mind.manipulation.place.surface_fallback import OntoFlatSurface
+from uniteam.mind.manipulation.place.verify_place import LookWhereItLies, WatchRest
 from uniteam.mind.manipulation.place.withdraw import stay
+from uniteam.mind.mapping.clearing import ClearSeenThrough
+from uniteam.mind.mapping.fine_obstacles import FineGrain
 from uniteam.mind.mapping.projection import exact_pixels
+from uniteam.mind.mapping.resolved_look import ResolvedLook
 from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
+from uniteam.mind.navigation.goals.failed_goals import FailedGoalMemory
 from uniteam.mind.navigation.goals.goal_or_frontier import StuckDetector
 from uniteam.mind.navigation.goals.receptacle_probability import MostProbableReceptacle
 from uniteam.mind.navigation.goals.surround_start_receptacle import SurroundStartReceptacle
-from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING
+from uniteam.mind.navigation.planning.clearance_cost import ClearancePrice
+from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING, keep_collisions
+from uniteam.mind.navigation.planning.long_strides import LongStrides
+from uniteam.mind.navigation.planning.narrow_motion import ExactWhereNarrow, UnlessNarrow
 from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
 from uniteam.mind.perception.vocabulary import ClassRole
@@ -175,6 +186,23 @@ def _true_radius(config: AgentConfig) -> AgentConfig:
     return Replacement("true_radius", (("planner.dilations", dilations),))(config)
 
 
+def _narrow_motion(config: AgentConfig) -> AgentConfig:
+    collisions = replace(config.planner.collisions, write=UnlessNarrow(config.planner.collisions.write))
+    config = replace(config, planner=replace(config.planner, collisions=collisions))
+    slots = ("planner.move", ExactWhereNarrow()), ("map.fine_obstacles", FineGrain())
+    return Replacement("narrow_motion", slots)(config)
+
+
+def _long_strides(config: AgentConfig) -> AgentConfig:
+    return replace(config, planner=replace(config.planner, move=LongStrides(config.planner.move)))
+
+
+def _last_round(config: AgentConfig) -> AgentConfig:
+    patient = replace(config.planner.collisions, no_path=keep_collisions)
+    config = replace(config, planner=replace(config.planner, collisions=patient))
+    return Replacement("last_round", (("relax", LastRound()),))(config)
+
+
 REPORT: tuple[Improvement, ...] = (
     Improvement("class_thresholds", "a confidence threshold for each kind of class in place of one", _class_thresholds),
     Improvement("floor_filter", "receptacles and objects detected at floor level are dropped", _floor_filter),
@@ -293,6 +321,57 @@ BEYOND: tuple[Improvement, ...] = (
     ),
     _replacing("whole_mask", "the goal receptacle is seen to the rim of its mask", place__receptacle=whole_mask),
     _replacing("still_arm", "the arm stays where it let go", place__withdraw=stay),
+    _replacing(
+        "occupied_surface",
+        "placing points leave room between what is held and the other things on the surface",
+        place__choose_points__missing_room=RoomAmongOthers(),
+    ),
+    _replacing(
+        "verify_place",
+        "after the release the robot looks where the object lies, and picks it up again where that is wrong",
+        place__wait=WatchRest(),
+        place__verify=LookWhereItLies(),
+    ),
+    _replacing(
+        "resolved_look",
+        "a receptacle counts as looked at where pixels showed it near enough, and nothing hid it",
+        map__looks=ResolvedLook(),
+    ),
+    _replacing(
+        "clearing",
+        "what the map holds is taken back where the floor is seen again and again and nothing above it",
+        map__clear=ClearSeenThrough(),
+    ),
+    _replacing(
+        "clearance_cost",
+        "a path keeps away from obstacles where that is no long way round",
+        planner__price=ClearancePrice(),
+    ),
+    Improvement(
+        "narrow_motion",
+        "turns from 5 degrees and drives from 0.1 m where 30 degrees and 0.25 m do not fit",
+        _narrow_motion,
+    ),
+    Improvement(
+        "long_strides",
+        "exact turns, and drives of up to a metre where the way ahead is straight and clear",
+        _long_strides,
+    ),
+    _replacing(
+        "failed_goal_memory",
+        "a place that could not be reached is avoided, the longer the more often it failed",
+        failed_goals=FailedGoalMemory(),
+    ),
+    _replacing(
+        "load_footprint",
+        "the load is part of the footprint on which the robot drives and turns, where there is a way so wide",
+        footprint=LoadFootprint(),
+    ),
+    Improvement(
+        "last_round",
+        "steps that are left are used: what failed is tried again, and what was looked at is looked at again",
+        _last_round,
+    ),
     _replacing("low_drop", "a small object is released close above the surface", place__release__least_height=LOW_DROP),
 )
 """What uniteam does beyond the report."""

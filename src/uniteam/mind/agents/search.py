@@ -3,16 +3,22 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum, auto
+from functools import partial
 
 import numpy as np
 
 from uniteam.geometry import BasePose
+from uniteam.grid import disc_mask
 from uniteam.interface import DiscreteAction
 from uniteam.mind.agents.blackboard import Blackboard
+from uniteam.mind.agents.last_round import Relaxation
+from uniteam.mind.manipulation.place.after_release import Lying
+from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, SearchConfig, plan_first
 from uniteam.mind.navigation.goals.failed_attempts import Misses
-from uniteam.mind.navigation.planning.planner import Plan
+from uniteam.mind.navigation.planning.collision_mapping import forget_all
+from uniteam.mind.navigation.planning.planner import BLOCKED_OFTEN, Plan
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.skill import Move, Skill
 from uniteam.mind.skills.step_aside import step_aside
@@ -42,6 +48,14 @@ class Search:
 
 OBJECT_SEARCH = Search(GoalKind.OBJECT, SearchConfig.for_object, lambda board: board.object_misses)
 RECEPTACLE_SEARCH = Search(GoalKind.GOAL_RECEPTACLE, SearchConfig.for_receptacle, lambda board: board.place_misses)
+
+
+FALLEN_WITHIN = 0.3
+"""m; an object so near to where one was seen to fall is that one."""
+
+
+SAME_PLACE = 0.3
+"""m; from a place so near nothing else is seen."""
 
 
 class Approach(Enum):
@@ -74,14 +88,16 @@ def explore(board: Blackboard, view: View, search: Search) -> Skill[bool]:
             if found[0].kind is search.target:
                 return True
             idle_turns = 0
+            _remember_failure(board)
             move = _carry_out(board, view, *found)
         else:
             if found is not None:  # the robot stays blocked while it turns, and steps aside in the end
                 board.planner.begin(found[1], board.bird_map, view.observation.base_to_start)
             idle_turns += 1
-            if idle_turns > FULL_TURN and not misses.made:
-                return False
-            if idle_turns > FULL_TURN:
+            if idle_turns > _turns_worth_making(board, view):
+                board.turned_at = view.observation.base_to_start
+                if not (misses.made or _relax(board)):
+                    return False
                 idle_turns = 0
                 misses.forget()
             reason = "Nothing is left that I can get to, so I look around again."
@@ -91,6 +107,13 @@ def explore(board: Blackboard, view: View, search: Search) -> Skill[bool]:
             view = yield from get_away(board, view)
 
 
+def _turns_worth_making(board: Blackboard, view: View) -> int:
+    """Return how many turns may show something new: none where the robot has just turned all the way round."""
+    base, turned_at = view.observation.base_to_start, board.turned_at
+    is_new_here = turned_at is None or turned_at.distance_to(base.x, base.y) > SAME_PLACE
+    return FULL_TURN if is_new_here else 0
+
+
 def approach(board: Blackboard, view: View, search: Search) -> Skill[Approach]:
     """Drive to the target and face it, as long as there is one to head for and the way is not blocked too often."""
     while True:
@@ -98,9 +121,12 @@ def approach(board: Blackboard, view: View, search: Search) -> Skill[Approach]:
         if found is None or found[0].kind is not search.target or not board.planner.leads_on(found[1]):
             return Approach.LOST
         goal, plan = found
+        is_stuck = _is_stuck_before(board, plan)
+        if not is_stuck:
+            _remember_failure(board)
         move = _carry_out(board, view, goal, plan)
         action = plan.action
-        if _is_stuck_before(board, plan):
+        if is_stuck:
             action = board.planner.turn_to_face(board.bird_map, view.observation.base_to_start, goal)
         if action is None:
             board.planner.interrupt()
@@ -120,9 +146,45 @@ def get_away(board: Blackboard, view: View) -> Skill[View]:
 def _plan(board: Blackboard, view: View, search: Search) -> tuple[Goal, Plan] | None:
     misses = search.misses(board)
     with section("planner"):
-        wanted = [misses.avoided_by(choose) for choose in search.choices(board.config.search)]
-        choices = board.commitment.choices(wanted)
+        wanted = [misses.avoided_by(choose) for choose in _choices(board, search)]
+        choices = [_but_failed_goals(board, choose) for choose in board.commitment.choices(wanted)]
         return plan_first(board.planner, board.bird_map, view.observation.base_to_start, choices)
+
+
+def _choices(board: Blackboard, search: Search) -> tuple[ChooseGoal, ...]:
+    """Return what to head for, in order of preference: first of all to where the object was seen to fall."""
+    choices = search.choices(board.config.search)
+    return choices if board.lying is None else (partial(_fallen_object, board.lying), *choices)
+
+
+def _fallen_object(lying: Lying, bird_map: BirdsEyeMap, base: BasePose) -> Goal:
+    """Return the goal of standing before the object where it fell, wherever that is."""
+    cell = bird_map.to_cell(lying.x, lying.y)
+    around = disc_mask(bird_map.shape, cell, round(FALLEN_WITHIN / bird_map.cell_size))
+    seen = bird_map.class_cells(ClassRole.OBJECT) & around
+    cells = seen if seen.any() else disc_mask(bird_map.shape, cell, 1)
+    return Goal(GoalKind.OBJECT, cells, face=cells)
+
+
+def _but_failed_goals(board: Blackboard, choose: ChooseGoal) -> ChooseGoal:
+    def elsewhere(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+        goal = choose(bird_map, base)
+        return None if goal is None else board.failed_goals.avoid(goal, bird_map, bird_map.update_count)
+
+    return elsewhere
+
+
+def _relax(board: Blackboard) -> bool:
+    """Forget something that keeps the robot from places; return False where it gives up instead."""
+    relaxation = board.config.relax(board.rounds)
+    board.rounds += 1
+    if relaxation is Relaxation.FAILED_GOALS:
+        board.failed_goals.forget()
+    elif relaxation is Relaxation.COLLISIONS:
+        forget_all(board.bird_map)
+    elif relaxation is Relaxation.LOOKS:
+        board.bird_map.forget_looks()
+    return relaxation is not None
 
 
 def _is_stuck_before(board: Blackboard, plan: Plan) -> bool:
@@ -135,10 +197,21 @@ def _carry_out(board: Blackboard, view: View, goal: Goal, plan: Plan) -> Move:
     base = view.observation.base_to_start
     board.planner.begin(plan, board.bird_map, base)
     board.goal, board.plan = goal, plan
-    board.commitment.follow(base, plan)
+    x, y = plan.path[-1]
+    board.heading_for = float(x), float(y)
+    if board.commitment.follow(base, plan):
+        board.failed_goals.add(board.heading_for, board.bird_map.update_count)
     if plan.action is None:
         return Move(DiscreteAction.TURN_LEFT, f"I have come to the {_words(board, goal)} and look around.")
     return Move(plan.action, _reason(board, goal, plan))
+
+
+def _remember_failure(board: Blackboard) -> None:
+    """Remember where the last plan led if its motion was the last of several that were blocked."""
+    blocked, before = board.planner.blocked_in_a_row, board.blocked
+    board.blocked = blocked
+    if blocked > before and blocked % BLOCKED_OFTEN == 0 and board.heading_for is not None:
+        board.failed_goals.add(board.heading_for, board.bird_map.update_count)
 
 
 def _reason(board: Blackboard, goal: Goal, plan: Plan) -> str:

@@ -18,13 +18,16 @@ from uniteam.mind.agents.search import (
     get_away,
     look_around,
 )
-from uniteam.mind.manipulation.arm_clearance import Load
+from uniteam.mind.manipulation.arm_clearance import EMPTY_GRIPPER, Load
 from uniteam.mind.manipulation.pick.pick import pick
 from uniteam.mind.manipulation.place.place import place
 from uniteam.mind.navigation.goals.failed_attempts import Miss
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.skill import Move, Skill
 from uniteam.mind.skills.view import View
+
+MOST_FALLS = 3
+"""So often an object that fell is picked up again."""
 
 
 class State(Enum):
@@ -128,6 +131,8 @@ def _pick(board: Blackboard, view: View) -> Skill[Phase]:
     attempt = Miss(view.observation.base_to_start, faced_point(view, ClassRole.OBJECT))
     result = yield from pick(view, board.config.pick)
     if result.grasped:
+        board.lying = None
+        board.planner.carry(board.config.footprint(result.load))
         return _bring(result.load).find
     board.object_misses.add(attempt)
     return _FETCH.find
@@ -137,12 +142,16 @@ def _place(board: Blackboard, view: View, load: Load) -> Skill[Phase]:
     """Place; where nothing could be placed and there are attempts left, go elsewhere."""
     attempt = Miss(view.observation.base_to_start, faced_point(view, ClassRole.GOAL_RECEPTACLE))
     config = board.config.place
-    is_last = board.place_misses.count + 1 >= config.attempts
-    is_placed = yield from place(view, config.context(load, board.generator), config, is_last)
-    if is_placed:
+    is_last = board.place_misses.count + 1 >= config.attempts + board.falls
+    result = yield from place(view, config.context(load, board.generator), config, is_last)
+    if result.released and (result.lying is None or board.falls == MOST_FALLS):
         return Phase(State.DONE, partial(_stop, reason="The object is where it should be, I believe, so I stop."))
     board.place_misses.add(attempt)
-    return _bring(load).find
+    if result.lying is None:
+        return _bring(load).find
+    board.planner.carry(board.config.footprint(EMPTY_GRIPPER))
+    board.lying, board.falls = result.lying, board.falls + 1
+    return _FETCH.find
 
 
 def _stop(board: Blackboard, view: View, reason: str) -> Skill[Phase]:

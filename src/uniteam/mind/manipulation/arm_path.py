@@ -64,15 +64,5 @@ def _words(start: Joints, end: Joints) -> str:
 
 def let_go(view: View) -> Skill[View]:
     """Open the gripper."""
-    return (yield discrete(DiscreteAction.DESNAP_OBJECT, f"I let go of the {_object(view)}."))
-
-
-def wait_for_rest(view: View, steps: int) -> Skill[View]:
-    """Wait so many steps until what was let go has come to rest."""
-    for _ in range(steps):
-        view = yield discrete(DiscreteAction.EMPTY_ACTION, f"I wait until the {_object(view)} has come to rest.")
-    return view
-
-
-def _object(view: View) -> str:
-    return view.instruction.object_category.replace("_", " ")
+    name = view.instruction.object_category.replace("_", " ")
+    return (yield discrete(DiscreteAction.DESNAP_OBJECT, f"I let go of the {name}."))

@@ -1,18 +1,20 @@
 """The bird's-eye-view map: what the robot has seen, from above, in the frame where it started."""
 
 import math
+from functools import partial
 from typing import TypeVar
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import BasePose
+from uniteam.geometry import BasePose, transform_points
 from uniteam.grid import Cell, Grid, Mask, disc
 from uniteam.interface import Observation, Segmentation
+from uniteam.mind.mapping.clearing import MapCells
 from uniteam.mind.mapping.map_config import MapConfig
 from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, MappedFrame, Scratch
-from uniteam.mind.mapping.viewed_sides import Gaze, look_bits
+from uniteam.mind.mapping.viewed_sides import Gaze, Pixels
 from uniteam.mind.perception.vocabulary import ClassRole, RoleScores
 
 _Scalar = TypeVar("_Scalar", bound=np.generic)
@@ -22,7 +24,8 @@ class BirdsEyeMap:
     """Obstacles, what is explored, where the robot was, and where each class was seen: a grid in the start frame.
 
     Row is y and column is x; all channels have the same (H, W) shape, which changes when the map grows: keep points,
-    not cells or masks, from one step to the next. Nothing clears an obstacle, as in HomeRobot. Update it in navigation
+    not cells or masks, from one step to the next. Nothing clears an obstacle, as in HomeRobot, but `clear` of the
+    configuration. Update it in navigation
     posture only: seen from another, the arm itself would be mapped.
 
     Attributes:
@@ -34,6 +37,7 @@ class BirdsEyeMap:
         felt: an obstacle that a collision wrote there, and nothing was seen.
         looked_from: (H, W) uint8, the sides from which the start receptacle there was looked at, as bits (see
             `viewed_sides`).
+        fine: obstacles at a finer grain, where the configuration asks for it.
         origin: (x, y) in the start frame (m) of the corner of cell [0, 0].
         update_count: how many frames have been brought in.
     """
@@ -61,6 +65,8 @@ class BirdsEyeMap:
         self._scratch = _make_scratch(shape)
         self._last_base: BasePose | None = None
         self._known: tuple[Cell, Cell] = (shape, (0, 0))
+        self._clear = self.config.clear()
+        self.fine = self.config.fine_obstacles()
         self.update_count = 0
 
     @property
@@ -133,8 +139,10 @@ class BirdsEyeMap:
         frame, limits = self._frame(observation, segmentation, roles), self.config.limits(observation.depth.size)
         touched = self.config.project(frame, limits, self._scratch, self._channels())
         self._know(touched[:2], touched[2:])
+        self._clear(frame, MapCells(self._channels(), self.felt, self.grid))
+        self.fine.update(observation)
         self._mark_robot(base)
-        self._mark_look(base)
+        self._mark_look(base, partial(_receptacle_pixels, observation, segmentation, frame.scores))
         self.update_count += 1
 
     def mark_collision(self, points: NDArray[np.floating]) -> None:
@@ -148,6 +156,11 @@ class BirdsEyeMap:
         felt &= ~self.obstacle
         self.felt |= felt
         self.obstacle |= felt
+
+    def forget_looks(self) -> None:
+        """Forget where the robot has been close to things and looked at them, so that it does so again."""
+        self.been_close[:] = False
+        self.looked_from[:] = 0
 
     def clear_collisions(self) -> None:
         """Forget every collision cell."""
@@ -206,15 +219,15 @@ class BirdsEyeMap:
             (max(high[0], last[0] + 1), max(high[1], last[1] + 1)),
         )
 
-    def _mark_look(self, base: BasePose) -> None:
-        """Note from which side the start receptacles ahead are looked at."""
+    def _mark_look(self, base: BasePose, pixels: Pixels) -> None:
+        """Note from which side the start receptacles ahead are looked at; see `LookBits`."""
         gaze = Gaze(base.x, base.y, base.heading)
         reach = round(gaze.range / self.cell_size)
         row, column = self.to_cell(base.x, base.y)
         near = slice(max(0, row - reach), row + reach + 1), slice(max(0, column - reach), column + reach + 1)
         corner = np.array([near[0].start, near[1].start])
         cells = corner + np.argwhere(self._class_cells[ClassRole.START_RECEPTACLE][near])
-        self.looked_from[cells[:, 0], cells[:, 1]] |= look_bits(self.to_points(cells), gaze)
+        self.looked_from[cells[:, 0], cells[:, 1]] |= self.config.looks(self.to_points(cells), gaze, pixels)
 
     def _cover(self, base: BasePose) -> None:
         """Grow until everything in reach of the robot lies on the map."""
@@ -255,6 +268,18 @@ def _placed(channel: NDArray[_Scalar], corner: Cell, shape: Cell) -> NDArray[_Sc
     larger = np.zeros((*channel.shape[:-2], *shape), dtype=channel.dtype)
     larger[..., corner[0] : corner[0] + rows, corner[1] : corner[1] + columns] = channel
     return larger
+
+
+def _receptacle_pixels(
+    observation: Observation, segmentation: Segmentation, scores: NDArray[np.float32]
+) -> NDArray[np.float64]:
+    """Return the (N, 3) pixels of start receptacles: x, y (m, start frame) and the resolution there (m a pixel)."""
+    camera, is_start = observation.camera, np.append(scores[:, ClassRole.START_RECEPTACLE] > 0, False)
+    rows, columns = np.nonzero(is_start[segmentation.instances] & (observation.depth > 0))
+    depth = observation.depth[rows, columns].astype(np.float64)
+    rays = np.stack([(columns - camera.cx) / camera.fx, (rows - camera.cy) / camera.fy, np.ones(len(rows))], axis=-1)
+    points = transform_points(observation.camera_to_start, rays * depth[:, None])
+    return np.column_stack([points[:, :2], depth / camera.fx])
 
 
 def _make_scratch(shape: tuple[int, int]) -> Scratch:

@@ -7,7 +7,10 @@ import numpy as np
 
 from uniteam.grid import Cell, Mask
 from uniteam.mind.mapping.block_projection import averaged_blocks
+from uniteam.mind.mapping.clearing import Clear, never_clear
+from uniteam.mind.mapping.fine_obstacles import FineObstacles, nothing_finer
 from uniteam.mind.mapping.projection import Channels, Limits, MappedFrame, Scratch
+from uniteam.mind.mapping.viewed_sides import LookBits, look_bits
 from uniteam.mind.mapping.visited import mark_stand
 from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
 
@@ -37,6 +40,9 @@ class MapConfig:
         probability_decay: the share it loses when the cell is seen again without the class.
         class_depths: up to which depth each `ClassRole` is mapped (m). HomeRobot maps all to `max_depth`, and keeps
             them; UniTeam's `early_goal_memory` keeps goal receptacles from as far as depth is measured.
+        clear: what takes cells back.
+        fine_obstacles: what is known of obstacles at a finer grain.
+        looks: from which sides the start receptacles have been looked at.
     """
 
     project: Callable[[MappedFrame, Limits, Scratch, Channels], tuple[int, int, int, int]] = averaged_blocks
@@ -56,6 +62,9 @@ class MapConfig:
     probability_gain: float = 0.3
     probability_decay: float = 0.05
     class_depths: tuple[float, float, float] = (3.5, 3.5, 3.5)
+    looks: LookBits = look_bits
+    clear: Callable[[], Clear] = never_clear
+    fine_obstacles: Callable[[], FineObstacles] = nothing_finer
 
     def limits(self, pixels: int) -> Limits:
         """Return the kernel's limits for frames of so many pixels."""

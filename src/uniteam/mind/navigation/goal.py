@@ -26,9 +26,11 @@ class Goal:
         cells: (H, W) bool; any of them will do.
         distance: how near is near enough (m, in a straight line); 0 asks for the cells themselves.
         face: (H, W) bool, the cells to face in the end (the nearest of them); None does not turn.
+        shunned: (H, W) bool, cells not to stand at in the end, though near enough; None shuns none.
     """
 
     kind: GoalKind
     cells: Mask
     distance: float = 0.5
     face: Mask | None = None
+    shunned: Mask | None = None

@@ -59,6 +59,12 @@ class View:
         own = self._own_object()
         return self.cloud[self.returned & ~((self.segmentation.instances == own) & (own >= 0))]
 
+    def surroundings_but(self, role: ClassRole) -> Points:
+        """Return the surroundings' (N, 3) points (m, base frame) that no detection of a role shows."""
+        own = self._own_object()
+        is_own = (self.segmentation.instances == own) & (own >= 0)
+        return self.cloud[self.returned & ~is_own & ~self.mask(role)]
+
     def _own_object(self) -> int:
         """Return the index of the detection that the gripper holds or, empty, is nearest to; -1 where there is none."""
         grasp_centre = gripper_to_base(self.observation.joints)[:3, 3]

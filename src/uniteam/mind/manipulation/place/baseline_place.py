@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from uniteam.mind.manipulation.arm_path import ArmPath
 from uniteam.mind.manipulation.place.place import Aim, PlaceContext, Stand, enter_manipulation_mode
 from uniteam.mind.manipulation.place.placing_points import PlacingPoints
+from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.skill import Skill
 from uniteam.mind.skills.view import View
 from uniteam.stretch import JOINT_LIMITS
@@ -26,7 +27,8 @@ class DriveInOneGo:
         points = context.receptacle(view)
         if len(points) == 0:
             return None
-        chosen = context.choose_points(points, context.load, context.generator)
+        others = view.surroundings_but(ClassRole.GOAL_RECEPTACLE)
+        chosen = context.choose_points(points, others, context.load, context.generator)
         if len(chosen.points) == 0:
             return None
         best = chosen.best_first()[:1]

@@ -3,6 +3,7 @@
 import numpy as np
 
 from uniteam.geometry import BasePose, invert_transform, transform_points
+from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.view import Points, View
 from uniteam.stretch import BASE_RADIUS
 
@@ -22,6 +23,7 @@ class LocalCloud:
     def __init__(self) -> None:
         """Begin with nothing seen."""
         self._goal = np.zeros((0, 3))
+        self._others = np.zeros((0, 3))
         self._surroundings = np.zeros((0, 3))
 
     def add(self, view: View, goal: Points) -> None:
@@ -33,11 +35,16 @@ class LocalCloud:
         """
         pose = view.observation.base_to_start
         self._goal = _merge(self._goal, _to_start(_around(goal), pose))
+        self._others = _merge(self._others, _to_start(_around(view.surroundings_but(ClassRole.GOAL_RECEPTACLE)), pose))
         self._surroundings = _merge(self._surroundings, _to_start(_around(view.surroundings()), pose))
 
     def goal_points(self, pose: BasePose) -> Points:
         """Return the (N, 3) points seen of goal receptacles, in the frame of a base that stands at `pose` (m)."""
         return _to_base(self._goal, pose)
+
+    def others(self, pose: BasePose) -> Points:
+        """Return the (N, 3) points seen of anything else, in the frame of a base that stands at `pose` (m)."""
+        return _to_base(self._others, pose)
 
     def surroundings(self, pose: BasePose) -> Points:
         """Return the (N, 3) points seen of anything, in the frame of a base that stands at `pose` (m)."""

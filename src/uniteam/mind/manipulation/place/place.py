@@ -7,7 +7,8 @@ import numpy as np
 
 from uniteam.interface import DiscreteAction
 from uniteam.mind.manipulation.arm_clearance import Load
-from uniteam.mind.manipulation.arm_path import ArmPath, follow, let_go, wait_for_rest
+from uniteam.mind.manipulation.arm_path import ArmPath, follow, let_go
+from uniteam.mind.manipulation.place.after_release import Lying, Verify, Wait, WaitSteps, take_it_for_placed
 from uniteam.mind.manipulation.place.drop_height import Release
 from uniteam.mind.manipulation.place.motion import Motion, WholeSteps
 from uniteam.mind.manipulation.place.placing_points import ChoosePoints, PlacingPoints
@@ -91,7 +92,8 @@ class PlaceConfig:
         attempts: at how many places to try for an aim; at the last one the object is let go without one. The baseline
             has one, `more_attempts` several.
         withdraw: what the arm does once it has let go.
-        rest_steps: how long to wait for the object to come to rest.
+        wait: how to wait for the object to come to rest.
+        verify: how to find out where it lies then.
     """
 
     choose_points: ChoosePoints
@@ -103,7 +105,8 @@ class PlaceConfig:
     motion: Motion = field(default_factory=WholeSteps)
     withdraw: Callable[[View], Skill[View]] = lift_and_retract
     attempts: int = 1
-    rest_steps: int = 200
+    wait: Wait = field(default_factory=WaitSteps)
+    verify: Verify = take_it_for_placed
 
     def context(self, load: Load, generator: np.random.Generator) -> PlaceContext:
         """Return what the strategies need to know to place a load."""
@@ -112,7 +115,20 @@ class PlaceConfig:
         )
 
 
-def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool) -> Skill[bool]:
+@dataclass(frozen=True)
+class PlaceResult:
+    """How a place ended.
+
+    Attributes:
+        released: whether the object was let go; else there was no aim, and the robot holds it still.
+        lying: where it lies, once it was let go and is seen not to be where it should be.
+    """
+
+    released: bool
+    lying: Lying | None = None
+
+
+def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool) -> Skill[PlaceResult]:
     """Put what the gripper holds on the goal receptacle that the robot faces.
 
     Args:
@@ -122,13 +138,13 @@ def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool)
         is_last: whether it is let go in any case.
 
     Returns:
-        True once what was let go has come to rest; False, in navigation mode, where there was no aim.
+        What became of it; in navigation mode where there is something left to do.
     """
     stand = yield from config.close_in(view, context)
     aim = None if stand is None else context.find_path(stand, context)
     if aim is None and not is_last:
         yield discrete(DiscreteAction.NAVIGATION_MODE, "The arm cannot place it from here; I try elsewhere.")
-        return False
+        return PlaceResult(released=False)
     if aim is None:
         aim = yield from config.fall_back(view if stand is None else stand.view, context)
     view = aim.view
@@ -137,8 +153,11 @@ def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool)
     view = yield from follow(view, aim.path)
     view = yield from let_go(view)
     view = yield from config.withdraw(view)
-    yield from wait_for_rest(view, config.rest_steps)
-    return True
+    view = yield from config.wait(view)
+    lying = yield from config.verify(view)
+    if lying is not None:
+        yield discrete(DiscreteAction.NAVIGATION_MODE, "It does not lie on the receptacle; I pick it up again.")
+    return PlaceResult(released=True, lying=lying)
 
 
 def enter_manipulation_mode(view: View, reason: str) -> Skill[View]:

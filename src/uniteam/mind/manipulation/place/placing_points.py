@@ -36,10 +36,12 @@ class PlacingPoints:
 NOWHERE = PlacingPoints(np.zeros((0, 3), dtype=np.float32), np.zeros(0))
 """No point at all."""
 
-ChoosePoints = Callable[[Points, Load, np.random.Generator], PlacingPoints]
-"""From the points seen of a receptacle and what is to be put there to the points on which it can be."""
+ChoosePoints = Callable[[Points, Points, Load, np.random.Generator], PlacingPoints]
+"""From the points of a receptacle, those of all else and what is to be put there to the points on which it can be."""
 Weigh = Callable[[Points, Points, Load], NDArray[np.float64]]
 """From (N, 3) points, (K, 3) samples of them and what is put there to their (K,) worth (m); -inf is no choice."""
+Room = Callable[[Points, Points, Load], NDArray[np.float64]]
+"""From (K, 3) samples, (N, 3) points of other things and what is put there to how much room each sample lacks (m)."""
 Bonus = Callable[[Points, Points], NDArray[np.float64]]
 """From (N, 3) points and (K, 3) samples of them to what is added to the samples' (K,) worth (m)."""
 
@@ -60,6 +62,11 @@ def slab_density(points: Points, samples: Points, load: Load) -> NDArray[np.floa
     return counts / max(1, counts.max(initial=0)) * SLAB[0]
 
 
+def ignore_others(samples: Points, others: Points, load: Load) -> NDArray[np.float64]:
+    """Return that none lacks any room: the baseline looks at nothing but the receptacle."""
+    return np.zeros(len(samples))
+
+
 def no_bonus(points: Points, samples: Points) -> NDArray[np.float64]:
     """Return nothing to add, as in the baseline."""
     return np.zeros(len(samples))
@@ -73,19 +80,23 @@ class PointRule:
         candidates: which of the points may be places.
         samples: how many of them are weighed.
         weigh: what each is worth.
+        missing_room: how much room other things take; of the samples only those that lack least are offered.
         bonus: what is added to that.
     """
 
     candidates: Callable[[Points], Points] = every_point
     samples: int = 50
     weigh: Weigh = slab_density
+    missing_room: Room = ignore_others
     bonus: Bonus = no_bonus
 
-    def __call__(self, points: Points, load: Load, generator: np.random.Generator) -> PlacingPoints:
+    def __call__(self, points: Points, others: Points, load: Load, generator: np.random.Generator) -> PlacingPoints:
         """Return the sampled points that are offered, with their worth."""
         candidates = self.candidates(points)
         chosen = generator.choice(len(candidates), size=min(self.samples, len(candidates)), replace=False)
         samples = candidates[chosen]
         worth = self.weigh(points, samples, load) + self.bonus(points, samples)
+        missing = self.missing_room(samples, others, load)
         offered = worth > -np.inf
+        offered &= missing <= missing[offered].min(initial=np.inf)
         return PlacingPoints(samples[offered], worth[offered])

@@ -43,14 +43,18 @@ class CloseInStepwise:
         nearby.add(view, context.receptacle(view))
         pose = view.observation.base_to_start
         points = nearby.goal_points(pose)
-        chosen = context.choose_points(points, context.load, context.generator) if len(points) else NOWHERE
+        everything_else = nearby.others(pose)
+        chosen = NOWHERE
+        if len(points):
+            chosen = context.choose_points(points, everything_else, context.load, context.generator)
         in_line = context.motion.in_line(chosen, context.release.reach)
         return Stand(view, in_line, nearby.surroundings(pose), context.motion.line_up)
 
     def _come_closer(self, view: View, context: PlaceContext, nearby: LocalCloud) -> Skill[View]:
         enough = self.comfort * context.release.reach.far
         for _ in range(self.most_steps):
-            target = self._nearest_good_point(nearby.goal_points(view.observation.base_to_start), context)
+            pose = view.observation.base_to_start
+            target = self._nearest_good_point(nearby.goal_points(pose), nearby.others(pose), context)
             move = None if target is None else context.motion.next_move(target, enough, self.step)
             if move is None:
                 break
@@ -61,10 +65,10 @@ class CloseInStepwise:
             nearby.add(view, context.receptacle(view))
         return view
 
-    def _nearest_good_point(self, points: Points, context: PlaceContext) -> np.ndarray | None:
+    def _nearest_good_point(self, points: Points, others: Points, context: PlaceContext) -> np.ndarray | None:
         if len(points) == 0:
             return None
-        chosen = context.choose_points(points, context.load, context.generator)
+        chosen = context.choose_points(points, others, context.load, context.generator)
         if len(chosen.points) == 0:
             return None
         distance = np.hypot(chosen.points[:, 0], chosen.points[:, 1])

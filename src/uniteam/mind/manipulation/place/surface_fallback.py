@@ -34,7 +34,7 @@ class OntoFlatSurface:
         flat = points_with_headroom(around[around[:, 2] > self.lowest])
         if len(flat) == 0:
             return (yield from self.otherwise(view, context))
-        chosen = context.choose_points(flat, context.load, context.generator)
+        chosen = context.choose_points(flat, np.zeros((0, 3), np.float32), context.load, context.generator)
         in_reach = np.array([self._is_in_reach(context, x, y) for x, y, _ in chosen.points], dtype=np.bool_)
         candidates = context.motion.in_line(
             PlacingPoints(chosen.points[in_reach], chosen.worth[in_reach]), context.release.reach

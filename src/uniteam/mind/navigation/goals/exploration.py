@@ -74,8 +74,13 @@ class SearchConfig:
         return self.object, self.start_receptacle, self.frontier
 
     def for_receptacle(self) -> tuple[ChooseGoal, ...]:
-        """Return what to head for with the object in the gripper, in order of preference."""
-        return self._approached_receptacle, self.frontier
+        """Return what to head for with the object in the gripper, in order of preference.
+
+        Where the chosen side cannot be reached, or placing from there has failed, any other side will do.
+        """
+        if self.approach is from_any_side:
+            return self.goal_receptacle, self.frontier
+        return self._approached_receptacle, self.goal_receptacle, self.frontier
 
     def _approached_receptacle(self, bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
         goal = self.goal_receptacle(bird_map, base)

@@ -84,18 +84,20 @@ class Commitment:
         """Return what to try in order: the choices themselves, or in a detour the frontiers elsewhere first."""
         return (self._frontier_elsewhere, *choices) if self.detour_left > 0 else tuple(choices)
 
-    def follow(self, base: BasePose, plan: Plan) -> None:
-        """Note a step of a plan; being stuck begins a detour."""
+    def follow(self, base: BasePose, plan: Plan) -> bool:
+        """Note a step of a plan; return whether the robot is stuck, which begins a detour."""
         self.trail.append(base)
         if self.detour_left > 0:
             self.detour_left -= 1
             if self.detour_left == 0:
                 self.trail.clear()
-        if self.is_stuck(self.trail):
+        is_stuck = self.is_stuck(self.trail)
+        if is_stuck:
             x, y = plan.path[-1]
             self.left.append((float(x), float(y)))
             self.detour_left = self.detour_steps
             self.trail.clear()
+        return is_stuck
 
     def set_out(self) -> None:
         """Begin anew: something else than driving happened, or something else is searched for."""

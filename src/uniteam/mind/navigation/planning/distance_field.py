@@ -3,7 +3,7 @@
 A step to a side costs 5, to a corner 7, a knight's move 11 (the chamfer weights of Borgefors, "Distance transformations
 in digital images", 1986); a bucket for each remainder of the cost makes the queue (Dial, "Algorithm 360", 1969). A
 corner step needs one of the two cells beside it free, a knight's move both of the cells it passes: no path slips
-through a wall that is one cell thick.
+through a wall that is one cell thick. A cell may have a price, by which the steps into it are multiplied.
 """
 
 from typing import NamedTuple
@@ -18,7 +18,10 @@ COST_PER_CELL = 5.025
 """Cost of one cell's length: a little over 5 weighs the errors in the open, where most directions come out too long,
 against those behind corners. Distances are then 1 % off in the mean."""
 
-_BUCKETS = 16
+HIGHEST_PRICE = 5
+"""Of a cell: more would need more buckets."""
+
+_BUCKETS = 64
 _FAR = 1 << 30
 _SIDES = ((0, 1), (1, 0), (0, -1), (-1, 0))
 _CORNERS = ((1, 1), (1, -1), (-1, -1), (-1, 1))
@@ -40,7 +43,9 @@ class SearchResult(NamedTuple):
 
 
 @njit(cache=True, nogil=True)
-def _spread(free: Mask, sources: Mask, targets: Mask) -> tuple[NDArray[np.int32], int, int]:  # pragma: no cover
+def _spread(
+    free: Mask, prices: NDArray[np.uint8], sources: Mask, targets: Mask
+) -> tuple[NDArray[np.int32], int, int]:  # pragma: no cover
     """Spread from the sources over free cells until a target is settled; return costs and the target or (-1, -1).
 
     Every cell is in at most one bucket, a doubly linked list through `after` and `before`.
@@ -76,7 +81,7 @@ def _spread(free: Mask, sources: Mask, targets: Mask) -> tuple[NDArray[np.int32]
                 r, c = row + _STEPS[k, 0], column + _STEPS[k, 1]
                 if r < 0 or c < 0 or r >= rows or c >= columns or not free[r, c]:
                     continue
-                reached = cost + _WEIGHTS[k]
+                reached = cost + _WEIGHTS[k] * prices[r, c]
                 known = costs[r, c]
                 if reached >= known or not _may_step(free, row, column, k):
                     continue
@@ -114,7 +119,9 @@ def _may_step(free: Mask, row: int, column: int, k: int) -> bool:  # pragma: no 
 
 
 @njit(cache=True, nogil=True)
-def _descend(free: Mask, costs: NDArray[np.int32], row: int, column: int) -> NDArray[np.int32]:  # pragma: no cover
+def _descend(
+    free: Mask, prices: NDArray[np.uint8], costs: NDArray[np.int32], row: int, column: int
+) -> NDArray[np.int32]:  # pragma: no cover
     """Follow the costs from a cell down to a source; return the (P, 2) cells passed, the source first."""
     path = np.empty((costs[row, column] // 5 + 1, 2), dtype=np.int32)
     length = 0
@@ -123,10 +130,11 @@ def _descend(free: Mask, costs: NDArray[np.int32], row: int, column: int) -> NDA
         length += 1
         if costs[row, column] == 0:
             return path[:length][::-1].copy()
+        price = prices[row, column]
         for k in range(15, -1, -1):
             r, c = row + _STEPS[k, 0], column + _STEPS[k, 1]
             inside = r >= 0 and c >= 0 and r < costs.shape[0] and c < costs.shape[1]
-            if inside and costs[r, c] + _WEIGHTS[k] == costs[row, column] and _may_step(free, row, column, k):
+            if inside and costs[r, c] + _WEIGHTS[k] * price == costs[row, column] and _may_step(free, row, column, k):
                 row, column = r, c
                 break
 
@@ -139,30 +147,42 @@ def distance_field(free: Mask, sources: Mask, cell_size: float) -> NDArray[np.fl
         sources: (H, W) bool.
         cell_size: m.
     """
-    costs, _, _ = _spread(free, sources, np.zeros_like(free))
+    costs, _, _ = _spread(free, _alike(free), sources, np.zeros_like(free))
     return costs_to_metres(costs, cell_size)
 
 
-def nearest_target(free: Mask, start: Cell, targets: Mask) -> SearchResult:
+def nearest_target(free: Mask, prices: NDArray[np.uint8], start: Cell, targets: Mask) -> SearchResult:
     """Search from a cell until the first target is reached; cells beyond it stay unsearched.
 
     Args:
         free: (H, W) bool, cells that may be passed.
+        prices: (H, W), from 1 to `HIGHEST_PRICE`, by which the steps into a cell are multiplied.
         start: (row, column) on the grid; may itself be blocked.
         targets: (H, W) bool; blocked ones are never reached.
     """
     sources = np.zeros_like(free)
     sources[start] = True
-    costs, row, column = _spread(free, sources, targets)
+    costs, row, column = _spread(free, prices, sources, targets)
     return SearchResult(costs, (row, column))
 
 
-def trace_path(free: Mask, reach: SearchResult, cell: Cell) -> NDArray[np.int32]:
+def trace_path(free: Mask, prices: NDArray[np.uint8], reach: SearchResult, cell: Cell) -> NDArray[np.int32]:
     """Return the (P, 2) cells (row, column) of the path from a search's start to a cell that it reached, inclusive."""
-    return _descend(free, reach.costs, cell[0], cell[1])
+    return _descend(free, prices, reach.costs, cell[0], cell[1])
+
+
+def path_length(path: NDArray[np.int32], cell_size: float) -> float:
+    """Return the length (m) of a path of (P, 2) cells, whatever the prices on it."""
+    steps = np.sort(np.abs(np.diff(path, axis=0)), axis=1)
+    weights = np.where(steps[:, 0] == 0, 5, np.where(steps[:, 1] == 1, 7, 11))
+    return float(costs_to_metres(weights.sum(keepdims=True, dtype=np.int32), cell_size)[0])
 
 
 def costs_to_metres(costs: NDArray[np.int32], cell_size: float) -> NDArray[np.float32]:
     """Return integer costs as metres; inf where the search did not come."""
     metres = costs * np.float32(cell_size / COST_PER_CELL)
     return np.where(costs >= _FAR, np.float32(np.inf), metres).astype(np.float32)
+
+
+def _alike(free: Mask) -> NDArray[np.uint8]:
+    return np.ones(free.shape, dtype=np.uint8)

@@ -4,6 +4,7 @@ It follows HomeRobot's: obstacles dilated by three cells, a dilation that shrink
 goal five cells ahead, a turn or a forward motion towards it, a stop within 0.5 m of the goal, and a turn to face it.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -13,16 +14,19 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
 from uniteam.grid import Cell, Mask
-from uniteam.interface import ACTION_LIMITS, Action, DiscreteAction
+from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement, DiscreteAction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
+from uniteam.mind.navigation.planning.clearance import Clearance
 from uniteam.mind.navigation.planning.collision_mapping import PATCH_UNTIL_REPLAN, BlockedMotion, CollisionMemory
-from uniteam.mind.navigation.planning.distance_field import SearchResult, costs_to_metres, nearest_target, trace_path
+from uniteam.mind.navigation.planning.distance_field import SearchResult, nearest_target, path_length, trace_path
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal
 from uniteam.mind.navigation.planning.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import Window, window_around
+from uniteam.stretch import BASE_RADIUS
 
 TURN = ACTION_LIMITS.turn_step
+_NEXT_CELLS = 5
 BLOCKED_OFTEN = 3
 """Forward motions blocked one after the other; a way that three wider and wider marks on the map left open is none."""
 
@@ -35,26 +39,65 @@ def turn_in_steps(bearing: float) -> Action | None:
 
 
 @dataclass(frozen=True)
+class Way:
+    """What lies straight ahead on a path.
+
+    Attributes:
+        goal: (x, y) of the short-term goal (m, start frame).
+        straight: how far the path can be followed in the line to it (m).
+        clearance: how far obstacles are.
+        bird_map: the map.
+        blocked_in_a_row: how many of the last forward motions were blocked.
+    """
+
+    goal: tuple[float, float]
+    straight: float
+    clearance: Clearance
+    bird_map: BirdsEyeMap
+    blocked_in_a_row: int
+
+
+Move = Callable[[BasePose, Way], Action]
+"""From the robot (start frame) and the way ahead to the action that leads along it."""
+Price = Callable[[Clearance], NDArray[np.uint8]]
+"""From (H, W) clearances to the (H, W) prices of the cells (`nearest_target`)."""
+
+
+def move_in_steps(base: BasePose, way: Way) -> Action:
+    """Turn by 30 degrees or drive 0.25 m, as the challenge's discrete actions do."""
+    return turn_in_steps(base.bearing_to(*way.goal)) or DiscreteAction.MOVE_FORWARD
+
+
+def one_price(clearance: Clearance) -> NDArray[np.uint8]:
+    """Return the same price for all cells: the shortest path wins, however near to obstacles."""
+    return np.ones(clearance.obstacle.shape, dtype=np.uint8)
+
+
+@dataclass(frozen=True)
 class PlannerConfig:
     """How the planner plans; the defaults are those that HomeRobot ships for this task.
 
     Attributes:
         dilations: cells by which obstacles grow, tried in this order until there is a path.
         step_cells: how far ahead the short-term goal lies.
-        blocked_below: a forward motion that gets less far was blocked (m).
+        blocked_below: a forward motion that gets less far was blocked (share of what was asked for).
         tolerance: the goal is reached this far (m, along the path) before the place that was asked for.
         patience: what may be added to the goal's distance (m) before the dilation shrinks.
         collisions: how blocked motions are remembered.
         face: how the robot turns towards the goal once it is there.
+        price: what a path costs more near to obstacles.
+        move: how the robot moves towards the short-term goal.
     """
 
     dilations: tuple[int, ...] = (3, 2, 1)
     step_cells: int = 5
-    blocked_below: float = 0.20
+    blocked_below: float = 0.8
     tolerance: float = 0.10
     patience: float = 0.25
     collisions: CollisionMemory = PATCH_UNTIL_REPLAN
     face: Callable[[float], Action | None] = turn_in_steps
+    price: Price = one_price
+    move: Move = move_in_steps
 
 
 @dataclass(frozen=True)
@@ -88,9 +131,16 @@ class _Route:
 
     window: Window
     free: Mask
+    clearance: Clearance
+    prices: NDArray[np.uint8]
     reach: SearchResult
     reachable: bool
     is_daring: bool = False
+
+    @property
+    def cells(self) -> NDArray[np.int32]:
+        """(P, 2) cells of the path, the robot's first."""
+        return trace_path(self.free, self.prices, self.reach, self.reach.target)
 
 
 @dataclass(frozen=True)
@@ -99,6 +149,7 @@ class _Motion:
 
     base: BasePose
     short_term_goal: tuple[float, float]
+    length: float
     update_count: int
 
 
@@ -114,6 +165,7 @@ class Planner:
         self.config = config or PlannerConfig()
         self._motion: _Motion | None = None
         self._blocked_in_a_row = 0
+        self._radius = BASE_RADIUS
 
     @property
     def blocked_in_a_row(self) -> int:
@@ -134,6 +186,10 @@ class Planner:
         self._motion = None
         self._blocked_in_a_row = 0
 
+    def carry(self, radius: float) -> None:
+        """Keep so far (m) from obstacles from now on where there is a way that wide."""
+        self._radius = radius
+
     def plan(self, bird_map: BirdsEyeMap, base: BasePose, goal: Goal) -> Plan:
         """Return the next step towards a goal; nothing is changed by asking.
 
@@ -143,14 +199,18 @@ class Planner:
             goal: where to, made for the map's present shape.
         """
         route = self._find_route(bird_map, base, goal)
-        distance, path = _path_points(bird_map, route)
+        cells = route.cells
+        distance = path_length(cells, bird_map.cell_size)
         if distance > self.config.tolerance:
-            ahead = find_short_term_goal(route.free, _cells_in(route), self.config.step_cells)
-            short_term_goal = bird_map.to_point(*route.window.outside(np.array(ahead)))
-            action: Action | None = turn_in_steps(base.bearing_to(*short_term_goal)) or DiscreteAction.MOVE_FORWARD
+            ahead = find_short_term_goal(_in_sight(route, cells), cells, self.config.step_cells)
+            short_term_goal = bird_map.to_point(*route.window.outside(np.array(ahead.cell)))
+            straight = ahead.straight * bird_map.cell_size
+            way = Way(short_term_goal, straight, route.clearance, bird_map, self._blocked_in_a_row)
+            action: Action | None = self.config.move(base, way)
         else:
             short_term_goal = None
             action = self.turn_to_face(bird_map, base, goal)
+        path = bird_map.to_points(route.window.outside(cells))
         goal_points = bird_map.points_of(goal.cells)
         return Plan(
             action, action is None, route.reachable, route.is_daring, distance, short_term_goal, path, goal_points
@@ -161,8 +221,9 @@ class Planner:
         if plan.is_daring:
             self.config.collisions.replan(bird_map)
         self._motion = None
-        if plan.action is DiscreteAction.MOVE_FORWARD and plan.short_term_goal is not None:
-            self._motion = _Motion(base, plan.short_term_goal, bird_map.update_count)
+        length = _length_of(plan.action)
+        if length > 0 and plan.short_term_goal is not None:
+            self._motion = _Motion(base, plan.short_term_goal, length, bird_map.update_count)
 
     def notice(self, bird_map: BirdsEyeMap, base: BasePose) -> None:
         """Write the motion that was begun in the last step into the map if it was blocked; a second call does nothing.
@@ -175,10 +236,12 @@ class Planner:
         if motion is None or bird_map.update_count != motion.update_count + 1:
             return
         self._motion = None
-        if motion.base.distance_to(base.x, base.y) >= self.config.blocked_below:
+        if motion.base.distance_to(base.x, base.y) >= self.config.blocked_below * motion.length:
             self._blocked_in_a_row = 0
             return
         self._blocked_in_a_row += 1
+        if motion.length > ACTION_LIMITS.forward_step:  # nobody knows where on the way it was blocked
+            return
         blocked = BlockedMotion(motion.base, motion.short_term_goal, self._blocked_in_a_row)
         self.config.collisions.write(bird_map, blocked)
 
@@ -186,28 +249,39 @@ class Planner:
         window = window_around(bird_map, base, goal.cells)
         robot = window.inside(bird_map.to_cell(base.x, base.y))
         to_goal = _straight_distance(window.cut(goal.cells), bird_map.cell_size)
-        careful = traversible(bird_map, window, robot, self.config.dilations[0]) & ~window.cut(bird_map.collision)
+        clearance = Clearance.of(bird_map, window)
+        prices = self.config.price(clearance)
+        shunned = np.zeros_like(to_goal, dtype=np.bool_) if goal.shunned is None else window.cut(goal.shunned)
+        dilations = self._dilations(bird_map.cell_size)
+        careful = traversible(bird_map, window, robot, dilations[0]) & ~window.cut(bird_map.collision)
         careful[robot] = True
-        reach = self._search(careful, robot, to_goal, goal)
-        if reach is not None:
-            return _Route(window, careful, reach, True)
-        for dilation in self.config.dilations:
+        targets = self._targets(careful, robot, to_goal, shunned, goal)
+        if targets is not None:
+            return _Route(window, careful, clearance, prices, nearest_target(careful, prices, robot, targets), True)
+        for dilation in dilations:
             free = traversible(bird_map, window, robot, dilation)
-            reach = self._search(free, robot, to_goal, goal)
-            if reach is not None:
-                return _Route(window, free, reach, True, is_daring=True)
+            targets = self._targets(free, robot, to_goal, shunned, goal)
+            if targets is not None:
+                reach = nearest_target(free, prices, robot, targets)
+                return _Route(window, free, clearance, prices, reach, True, is_daring=True)
         nearest = np.where(connected_to(robot, careful), to_goal, np.inf)
         targets = nearest == nearest.min() if np.isfinite(nearest[robot]) else nearest < 0
         targets[robot] |= not targets.any()
-        return _Route(window, careful, nearest_target(careful, robot, targets), False)
+        return _Route(window, careful, clearance, prices, nearest_target(careful, prices, robot, targets), False)
 
-    def _search(self, free: Mask, robot: Cell, to_goal: NDArray[np.float32], goal: Goal) -> SearchResult | None:
-        """Return the search that found the nearest place to stand, or None."""
-        known = connected_to(robot, free)
+    def _dilations(self, cell_size: float) -> tuple[int, ...]:
+        """Return by how many cells obstacles grow, tried in this order: first by what the load sticks out more."""
+        more = math.ceil((self._radius - BASE_RADIUS) / cell_size - 1e-6)
+        first = self.config.dilations[0]
+        return (*((first + more,) if more > 0 else ()), *self.config.dilations)
+
+    def _targets(self, free: Mask, robot: Cell, to_goal: NDArray[np.float32], shunned: Mask, goal: Goal) -> Mask | None:
+        """Return the free cells near enough to the goal to which there is a path, or None."""
+        known = connected_to(robot, free) & ~shunned
         for distance in self._distances(goal):
             targets = (to_goal <= distance) & known
             if targets.any():
-                return nearest_target(free, robot, targets)
+                return targets
         return None
 
     def _distances(self, goal: Goal) -> tuple[float, ...]:
@@ -230,11 +304,14 @@ def _straight_distance(cells: Mask, cell_size: float) -> NDArray[np.float32]:
     return cv2.distanceTransform((~cells).view(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5) * np.float32(cell_size)
 
 
-def _cells_in(route: _Route) -> NDArray[np.int32]:
-    return trace_path(route.free, route.reach, route.reach.target)
+def _in_sight(route: _Route, cells: NDArray[np.int32]) -> Mask:
+    """Return what a straight line may cut across: free cells that cost no more than the path's next ones."""
+    ahead = cells[: 2 * _NEXT_CELLS]
+    return route.free & (route.prices <= route.prices[ahead[:, 0], ahead[:, 1]].max())
 
 
-def _path_points(bird_map: BirdsEyeMap, route: _Route) -> tuple[float, NDArray[np.float64]]:
-    """Return the length of the path (m) and its (P, 2) points in the start frame."""
-    distance = float(costs_to_metres(route.reach.costs[route.reach.target][None], bird_map.cell_size)[0])
-    return distance, bird_map.to_points(route.window.outside(_cells_in(route)))
+def _length_of(action: Action | None) -> float:
+    """Return how far forward an action drives (m)."""
+    if isinstance(action, BaseDisplacement):
+        return max(action.x, 0.0)
+    return ACTION_LIMITS.forward_step if action is DiscreteAction.MOVE_FORWARD else 0.0

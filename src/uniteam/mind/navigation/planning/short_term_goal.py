@@ -1,5 +1,7 @@
 """The point a few cells ahead that the robot can drive to in a straight line."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,7 +10,19 @@ from uniteam.grid import Cell, Mask
 _SIGHT_STEPS = 12
 
 
-def find_short_term_goal(free: Mask, path: NDArray[np.int32], step_cells: int) -> Cell:
+class ShortTermGoal(NamedTuple):
+    """Where to drive in a straight line.
+
+    Attributes:
+        cell: (row, column), at most so many cells ahead as was asked for.
+        straight: how many cells the way goes on in the same line, that far included.
+    """
+
+    cell: Cell
+    straight: float
+
+
+def find_short_term_goal(free: Mask, path: NDArray[np.int32], step_cells: int) -> ShortTermGoal:
     """Return the cell `step_cells` ahead towards the farthest point of the path that can be seen over free cells.
 
     Looking along the path before taking the step takes out the kinks that a path over a grid has. Where the path bends
@@ -31,7 +45,7 @@ def find_short_term_goal(free: Mask, path: NDArray[np.int32], step_cells: int) -
     length = float(np.hypot(*along))
     if length > step_cells:
         along = np.rint(along * (step_cells / length)).astype(np.int32)
-    return int(robot[0] + along[0]), int(robot[1] + along[1])
+    return ShortTermGoal((int(robot[0] + along[0]), int(robot[1] + along[1])), length)
 
 
 def line_is_free(free: Mask, start: NDArray[np.integer], end: NDArray[np.integer]) -> bool:

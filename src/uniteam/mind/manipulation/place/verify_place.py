@@ -1,0 +1,96 @@
+"""Looking where the object is after the release (`verify_place`): it may have slid off, or lie on another thing."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from uniteam.geometry import transform_points
+from uniteam.mind.manipulation.arm_path import TOP
+from uniteam.mind.manipulation.place.after_release import Lying, wait_for_rest
+from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.mind.skills.skill import Skill, move_joints
+from uniteam.mind.skills.view import Points, View
+from uniteam.stretch import gripper_to_base
+
+REST_STEPS = 50
+"""Steps at rest after which the challenge takes an object for placed."""
+
+
+@dataclass(frozen=True)
+class WatchRest:
+    """Waits until the object has not moved for long enough, as far as the robot sees; the longest where it does not.
+
+    Attributes:
+        still_steps: for so many steps it must not have moved.
+        still: it moves where its middle does by more (m).
+        longest: after so many steps the robot waits no longer.
+    """
+
+    still_steps: int = REST_STEPS + 10
+    still: float = 0.01
+    longest: int = 200
+
+    def __call__(self, view: View) -> Skill[View]:
+        """Wait."""
+        since, at = 0, _middle(view)
+        for _ in range(self.longest):
+            if at is not None and since >= self.still_steps:
+                break
+            view = yield wait_for_rest(view)
+            now = _middle(view)
+            if at is None or now is None or float(np.linalg.norm(now - at)) > self.still:
+                since, at = 0, now
+            else:
+                since += 1
+        return view
+
+
+@dataclass(frozen=True)
+class LookWhereItLies:
+    """Takes the object for placed where it is seen on the goal receptacle, and where it is not seen at all.
+
+    Attributes:
+        beside: receptacle points so near to the object's, from above, are below it (m).
+        below: so much lower than its lowest point they may be, or higher, as in a basin (m).
+        raise_by: how far the arm is lifted before it is taken back (m).
+    """
+
+    beside: float = 0.08
+    below: float = 0.05
+    raise_by: float = 0.15
+
+    def __call__(self, view: View) -> Skill[Lying | None]:
+        """Answer with where the object lies; None where it is as it should be, or not known."""
+        if self._is_placed(view):
+            return None
+        joints = view.observation.joints
+        raised = replace(joints, lift=min(joints.lift + self.raise_by, TOP))
+        for target in (raised, replace(raised, arm=0.0)):
+            view = yield from move_joints(view, target, "I take the arm back to see where it lies.")
+        points = _dropped_points(view)
+        if len(points) == 0 or self._is_placed(view):
+            return None
+        x, y, _ = transform_points(view.observation.base_to_start.matrix(), points.mean(axis=0))
+        return Lying(float(x), float(y))
+
+    def _is_placed(self, view: View) -> bool:
+        """Return whether the object is seen, and something of the goal receptacle below it."""
+        points = _dropped_points(view)
+        if len(points) == 0:
+            return False
+        receptacle = view.points(ClassRole.GOAL_RECEPTACLE)
+        low, high = points.min(axis=0) - self.beside, points.max(axis=0) + self.beside
+        is_near = ((receptacle[:, :2] > low[:2]) & (receptacle[:, :2] < high[:2])).all(axis=1)
+        bottom = float(np.percentile(points[:, 2], 2))
+        return bool(np.any(np.abs(receptacle[is_near, 2] - bottom) < self.below))
+
+
+def _dropped_points(view: View) -> Points:
+    """Return the points (m, base frame) of the object nearest to where the gripper is: what it has let go."""
+    return view.nearest(ClassRole.OBJECT, gripper_to_base(view.observation.joints)[:3, 3])
+
+
+def _middle(view: View) -> NDArray[np.floating] | None:
+    points = _dropped_points(view)
+    return points.mean(axis=0) if len(points) else None
