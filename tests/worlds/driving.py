@@ -15,11 +15,13 @@ from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
-from uniteam.mind.navigation.planning.planner import Plan, Planner, PlannerConfig
+from uniteam.mind.navigation.planning.planner import Plan, Planner, PlannerConfig, turn_in_steps
+from uniteam.mind.navigation.planning.traversible import OWN_CELLS
 from uniteam.mind.perception.vocabulary import role_scores
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(120, 160, math.radians(42.0))
 EXACT_MAP = MapConfig(project=exact_pixels, mark_visited=mark_line)
+EXACT_PLANNER = PlannerConfig(tolerance=0.10, patience=0.25, own_cells=OWN_CELLS, face=turn_in_steps)
 INSTRUCTION = Instruction("cup", "table", "bed")
 
 
@@ -43,7 +45,7 @@ class Drive:
         map_config: MapConfig | None = None,
     ) -> "Drive":
         """Look once around from a base pose."""
-        drive = Drive(boxes, base, BirdsEyeMap(map_config or EXACT_MAP), Planner(planner))
+        drive = Drive(boxes, base, BirdsEyeMap(map_config or EXACT_MAP), Planner(planner or EXACT_PLANNER))
         for _ in range(12):
             drive.look()
             drive.base = drive.base.compose(BasePose(0.0, 0.0, math.radians(30.0)))

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from worlds.box_world import Box, observe, room
-from worlds.driving import EXACT_MAP, INSTRUCTION, Drive, arrived
+from worlds.driving import EXACT_MAP, EXACT_PLANNER, INSTRUCTION, Drive, arrived
 
 from uniteam.geometry import BasePose
 from uniteam.grid import disc_mask
@@ -29,6 +29,7 @@ from uniteam.mind.navigation.planning.collision_mapping import (
     PATCH_UNTIL_REPLAN,
     BlockedMotion,
     CollisionMemory,
+    before_the_rim,
 )
 from uniteam.mind.navigation.planning.planner import PlannerConfig
 from uniteam.mind.navigation.planning.traversible import traversible
@@ -36,7 +37,7 @@ from uniteam.mind.navigation.window import window_around
 from uniteam.mind.perception.vocabulary import ClassRole, role_scores
 
 START = BasePose(0.0, 0.0, 0.0)
-SEARCH = SearchConfig()
+SEARCH = SearchConfig(frontier=any_frontier)
 ROOM = room(-3.0, -3.0, 3.0, 3.0)
 
 
@@ -108,7 +109,7 @@ GLASS = Box((1.2, -0.6, 0.0), (1.25, 0.6, 0.09))
 
 @pytest.mark.parametrize(("collisions", "tries_again"), [(PATCH_UNTIL_REPLAN, True), (COLLISION_MAPPING, False)])
 def test_a_passage_that_proved_too_narrow_is_not_tried_again(collisions: CollisionMemory, tries_again: bool) -> None:
-    drive = Drive.begin(ROOM, START, PlannerConfig(collisions=collisions))
+    drive = Drive.begin(ROOM, START, replace(EXACT_PLANNER, collisions=collisions))
     shut = drive.bird_map.to_cell(0.6, 0.0)
     drive.bird_map.obstacle[:, shut[1]] = True
     drive.bird_map.obstacle[shut[0] - 4 : shut[0] + 5, shut[1]] = False
@@ -116,7 +117,7 @@ def test_a_passage_that_proved_too_narrow_is_not_tried_again(collisions: Collisi
     goal = Goal(GoalKind.GOAL_RECEPTACLE, cells, face=cells)
     assert drive.planner.plan(drive.bird_map, drive.base, goal).reachable
     for k in range(4):
-        collisions.write(drive.bird_map, BlockedMotion(BasePose(0.35, 0.0, 0.0), (0.6, 0.0), k + 1))
+        collisions.write(drive.bird_map, BlockedMotion(BasePose(0.35, 0.0, 0.0), (0.6, 0.0), k + 1), before_the_rim)
     before = drive.bird_map.collision.sum()
     plan = drive.planner.plan(drive.bird_map, drive.base, goal)
     drive.planner.begin(plan, drive.bird_map, drive.base)
@@ -138,11 +139,11 @@ def test_where_the_robot_has_been_is_no_way_through_an_obstacle_that_it_felt_sin
 
 
 def test_collisions_that_shut_the_robot_in_are_forgotten() -> None:
-    drive = Drive.begin((*ROOM, bed(2.0, -0.5, 2.9, 0.5)), START, PlannerConfig(collisions=COLLISION_MAPPING))
+    drive = Drive.begin((*ROOM, bed(2.0, -0.5, 2.9, 0.5)), START, replace(EXACT_PLANNER, collisions=COLLISION_MAPPING))
     for k in range(36):
         pose = BasePose(0.0, 0.0, k * math.radians(10.0))
         ahead = pose.compose(BasePose(0.5, 0.0, 0.0))
-        COLLISION_MAPPING.write(drive.bird_map, BlockedMotion(pose, (ahead.x, ahead.y), 1))
+        COLLISION_MAPPING.write(drive.bird_map, BlockedMotion(pose, (ahead.x, ahead.y), 1), before_the_rim)
     goal = any_goal_receptacle(drive.bird_map, drive.base)
     assert goal is not None
     assert not drive.planner.plan(drive.bird_map, drive.base, goal).reachable
@@ -152,7 +153,7 @@ def test_collisions_that_shut_the_robot_in_are_forgotten() -> None:
     assert not drive.bird_map.felt.any()
 
 
-@pytest.mark.parametrize("config", [PlannerConfig(), PlannerConfig(collisions=COLLISION_MAPPING)])
+@pytest.mark.parametrize("config", [EXACT_PLANNER, replace(EXACT_PLANNER, collisions=COLLISION_MAPPING)])
 def test_an_unseen_obstacle_is_got_around(config: PlannerConfig) -> None:
     drive = Drive.begin((*ROOM, GLASS), START, config)
     point = (2.4, 0.0)
@@ -206,7 +207,7 @@ def test_an_object_hidden_on_the_far_side_of_its_receptacle_is_found(choose: Cho
     cup = Box((0.05, -0.05, 0.75), (0.15, 0.05, 0.85), "cup")
     drive = Drive.begin((*ROOM, table, screen, cup), BasePose(-2.4, 0.0, 0.0))
     drive.run((choose,), 150)
-    assert bool(drive.bird_map.object_on_start_receptacle().any()) is finds_it
+    assert bool(drive.bird_map.object_on_start_receptacle(play=1).any()) is finds_it
 
 
 def test_the_robot_looks_at_the_receptacle_from_where_it_was_sent() -> None:
@@ -225,7 +226,7 @@ def test_against_a_wall_only_the_free_sides_are_looked_at() -> None:
 
 # --- centre_approach
 
-before_centre = SearchConfig(approach=CentreApproach()).for_receptacle()[0]
+before_centre = SearchConfig(approach=CentreApproach(), frontier=any_frontier).for_receptacle()[0]
 
 
 def test_the_robot_ends_before_the_centre_of_the_side_and_not_at_its_nearest_corner() -> None:

@@ -2,11 +2,12 @@
 
 import copy
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from worlds.box_world import Box, clearance, room
-from worlds.driving import Drive, arrived
+from worlds.driving import EXACT_PLANNER, Drive, arrived
 
 from uniteam.geometry import BasePose
 from uniteam.grid import disc_mask
@@ -18,16 +19,17 @@ from uniteam.mind.navigation.goals.exploration import (
     SearchConfig,
     any_frontier,
     any_goal_receptacle,
+    object_beside_start_receptacle,
     start_receptacle_not_been_close,
 )
 from uniteam.mind.navigation.goals.frontier import FrontierConfig, find_frontiers
-from uniteam.mind.navigation.planning.planner import Planner, PlannerConfig, turn_in_steps
+from uniteam.mind.navigation.planning.planner import Planner, turn_in_steps
 from uniteam.mind.navigation.planning.traversible import traversible
 from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.navigation.window import window_around
 
 START = BasePose(0.0, 0.0, 0.0)
-SEARCH = SearchConfig()
+SEARCH = SearchConfig(object=object_beside_start_receptacle, frontier=any_frontier)
 
 
 def wall(x0: float, y0: float, x1: float, y1: float) -> Box:
@@ -196,7 +198,7 @@ def test_nothing_to_head_for_is_none() -> None:
 def test_the_overlay_shows_walls_path_and_goal_where_they_are() -> None:
     drive = Drive.begin((*TWO_ROOMS, BED), START)
     goal = goal_at(drive.bird_map, 2.0, 1.0)
-    plan = Planner().plan(drive.bird_map, drive.base, goal)
+    plan = Planner(EXACT_PLANNER).plan(drive.bird_map, drive.base, goal)
     overlay = draw_overlay(drive.bird_map, drive.base, goal, plan)
 
     def label(x: float, y: float) -> int:
@@ -211,10 +213,10 @@ def test_the_overlay_shows_walls_path_and_goal_where_they_are() -> None:
 
 
 def test_true_radius_keeps_a_wider_berth_than_the_baseline_where_there_is_room_and_none_where_there_is_not() -> None:
-    careful = PlannerConfig(dilations=true_radius(0.05))
+    careful = replace(EXACT_PLANNER, dilations=true_radius(0.05))
     post = wall(1.2, -0.1, 1.4, 0.1)
     berths = []
-    for config in (PlannerConfig(), careful):
+    for config in (EXACT_PLANNER, careful):
         drive = Drive.begin((*room(-3.0, -3.0, 4.0, 3.0), post), START, config)
         plan = drive.planner.plan(drive.bird_map, drive.base, goal_at(drive.bird_map, 3.0, 0.0))
         berths.append(min(clearance((post,), BasePose(x, y, 0.0)) for x, y in plan.path))

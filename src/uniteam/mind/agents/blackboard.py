@@ -67,7 +67,7 @@ class Blackboard:
             config,
             np.random.default_rng(seed),
             BirdsEyeMap(config.map),
-            Planner(config.planner),
+            config.make_planner(config.planner),
             Commitment(config.is_stuck, config.search.frontier),
             role_scores(instruction),
             config.failed_goals(),

@@ -1,7 +1,7 @@
 """What an agent is made of: values and strategies of one machine."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from uniteam.mind.agents.last_round import Relaxation, give_up
 from uniteam.mind.manipulation.arm_clearance import Load
@@ -12,10 +12,12 @@ from uniteam.mind.manipulation.place.drop_height import Release
 from uniteam.mind.manipulation.place.place import PlaceConfig
 from uniteam.mind.manipulation.place.placing_points import PointRule
 from uniteam.mind.mapping.map_config import MapConfig
+from uniteam.mind.navigation.first_look import HOMEROBOT_TURNS, FirstLook
 from uniteam.mind.navigation.goals.exploration import SearchConfig
 from uniteam.mind.navigation.goals.failed_goals import FailedGoals, remember_no_goals
 from uniteam.mind.navigation.goals.goal_or_frontier import Trail, never_stuck
-from uniteam.mind.navigation.planning.planner import PlannerConfig
+from uniteam.mind.navigation.planning.planner import Planner, PlannerConfig
+from uniteam.mind.navigation.planning.ring_planner import plan_by_ring
 from uniteam.mind.perception.filters import Filter, ScoreFilter, Thresholds
 from uniteam.mind.skills.step_aside import never_step_aside
 
@@ -37,6 +39,8 @@ class AgentConfig:
         failed_goals: how places are remembered that could not be reached.
         relax: after how many rounds what is forgotten once nothing is left to head for; None gives up.
         first_turns: turns of 30 degrees to look around with at first.
+        first_look: to which side they are, and when fewer are enough.
+        make_planner: makes the planner of an episode.
     """
 
     filters: tuple[Filter, ...]
@@ -50,7 +54,9 @@ class AgentConfig:
     footprint: Callable[[Load], float] = base_alone
     failed_goals: Callable[[], FailedGoals] = remember_no_goals
     relax: Callable[[int], Relaxation | None] = give_up
-    first_turns: int = 12
+    first_turns: int = HOMEROBOT_TURNS
+    first_look: FirstLook = field(default_factory=FirstLook)
+    make_planner: Callable[[PlannerConfig], Planner] = plan_by_ring
 
 
 BASELINE = AgentConfig(

@@ -13,6 +13,7 @@ from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.last_round import LastRound
 from uniteam.mind.manipulation.arm_reach import LEVEL_WRIST
+from uniteam.mind.manipulation.leave_manipulation import fold_and_turn_back
 from uniteam.mind.manipulation.load_footprint import LoadFootprint
 from uniteam.mind.manipulation.pick.look_around_pick import LookAround
 from uniteam.mind.manipulation.pick.reach_out_pick import ReachOut
@@ -35,15 +36,26 @@ from uniteam.mind.mapping.fine_obstacles import FineGrain
 from uniteam.mind.mapping.projection import exact_pixels
 from uniteam.mind.mapping.resolved_look import ResolvedLook
 from uniteam.mind.mapping.visited import mark_line
+from uniteam.mind.navigation.first_look import FULL_CIRCLE
 from uniteam.mind.navigation.goals.centre_approach import CentreApproach
+from uniteam.mind.navigation.goals.exploration import (
+    any_frontier,
+    any_goal_with_a_path,
+    object_beside_start_receptacle,
+    remember_probabilities,
+    when_blocked_nearby,
+    while_it_leads_on,
+)
 from uniteam.mind.navigation.goals.failed_goals import FailedGoalMemory
 from uniteam.mind.navigation.goals.goal_or_frontier import StuckDetector
 from uniteam.mind.navigation.goals.receptacle_probability import MostProbableReceptacle
 from uniteam.mind.navigation.goals.surround_start_receptacle import SurroundStartReceptacle
 from uniteam.mind.navigation.planning.clearance_cost import ClearancePrice
-from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING, keep_collisions
+from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING, before_the_rim, keep_collisions
 from uniteam.mind.navigation.planning.long_strides import LongStrides
 from uniteam.mind.navigation.planning.narrow_motion import ExactWhereNarrow, UnlessNarrow
+from uniteam.mind.navigation.planning.planner import plan_string_pulled, turn_in_steps
+from uniteam.mind.navigation.planning.traversible import OWN_CELLS
 from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
 from uniteam.mind.perception.vocabulary import ClassRole
@@ -223,12 +235,12 @@ REPORT: tuple[Improvement, ...] = (
     ),
     _replacing(
         "early_goal_memory",
-        "goal receptacles seen from afar on the way to the object are remembered",
-        map__class_depths=(*BASELINE.map.class_depths[:2], DEPTH_RANGE),
+        "goal receptacles seen on the way to the object are candidates with their probabilities",
+        search__recall=remember_probabilities,
     ),
     _replacing(
         "collision_mapping",
-        "a collision is written into the obstacle map and stays, and planning uses it",
+        "a collision is written into the obstacle map at the last short-term goal, and planning uses it",
         planner__collisions=COLLISION_MAPPING,
     ),
     _replacing(
@@ -305,6 +317,55 @@ BEYOND: tuple[Improvement, ...] = (
         "level_wrist",
         "the object is released with the wrist level, from which the gripper gets farther and higher",
         place__release__wrist_pitch=LEVEL_WRIST,
+    ),
+    _replacing(
+        "far_sight",
+        "goal receptacles are mapped from as far as depth is measured",
+        map__class_depths=(*BASELINE.map.class_depths[:2], DEPTH_RANGE),
+    ),
+    _replacing(
+        "wide_collisions",
+        "with collision_mapping, a collision is written before the base's rim, and wider when blocked again",
+        planner__felt_at=before_the_rim,
+    ),
+    _replacing(
+        "full_circle", "the first look goes all around, whatever is seen", first_turns=12, first_look=FULL_CIRCLE
+    ),
+    _replacing(
+        "string_pulled_path",
+        "paths are pulled straight, and smaller dilations tried only in the step that has no other path",
+        make_planner=plan_string_pulled,
+    ),
+    _replacing(
+        "near_enough",
+        "a goal is reached 0.1 m before, and up to 0.75 m from it where nothing nearer is free",
+        planner__tolerance=0.10,
+        planner__patience=0.25,
+    ),
+    _replacing("own_disc", "all that lies under the base is free, since it stands there", planner__own_cells=OWN_CELLS),
+    _replacing("straight_face", "the goal is faced to 15 degrees, not to 20", planner__face=turn_in_steps),
+    _replacing("clean_frontiers", "frontiers are where nothing seen stands in the way", search__frontier=any_frontier),
+    _replacing(
+        "other_goals",
+        "where there is no path to a goal, others are tried, and the robot gives up rather than act in vain",
+        search__pursue=any_goal_with_a_path,
+        search__goes_on=while_it_leads_on,
+    ),
+    _replacing(
+        "blocked_arrival",
+        "blocked again and again within 0.6 m of the goal, the robot has arrived",
+        search__has_arrived=when_blocked_nearby,
+    ),
+    _replacing(
+        "cell_play",
+        "an object one cell beside its start receptacle is taken to lie on it",
+        search__object=object_beside_start_receptacle,
+    ),
+    _replacing(
+        "turn_back",
+        "the base turns back once the arm is folded",
+        pick__leave=fold_and_turn_back,
+        place__leave=fold_and_turn_back,
     ),
     _replacing(
         "exact_labels",

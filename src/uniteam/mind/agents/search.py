@@ -15,7 +15,7 @@ from uniteam.mind.agents.last_round import Relaxation
 from uniteam.mind.manipulation.place.after_release import Lying
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal, GoalKind
-from uniteam.mind.navigation.goals.exploration import ChooseGoal, SearchConfig, plan_first
+from uniteam.mind.navigation.goals.exploration import ChooseGoal, SearchConfig
 from uniteam.mind.navigation.goals.failed_attempts import Misses
 from uniteam.mind.navigation.planning.collision_mapping import forget_all
 from uniteam.mind.navigation.planning.planner import BLOCKED_OFTEN, Plan
@@ -27,8 +27,6 @@ from uniteam.timing import section
 
 FULL_TURN = 12
 """Turns of 30 degrees."""
-NEARLY_THERE = 0.6
-"""m along the path: a robot that is blocked so near to its goal has it within the arm's reach."""
 
 
 @dataclass(frozen=True)
@@ -67,11 +65,12 @@ class Approach(Enum):
 
 
 def look_around(board: Blackboard, view: View) -> Skill[View]:
-    """Turn once around."""
-    turns = board.config.first_turns
+    """Turn around on the spot, until enough has been seen."""
+    look, turns = board.config.first_look, board.config.first_turns
     for turn in range(1, turns + 1):
-        reason = f"I look around first ({turn} of {turns} turns)."
-        view = yield Move(DiscreteAction.TURN_LEFT, reason)
+        if look.is_enough(board.bird_map):
+            break
+        view = yield Move(look.side, f"I look around first ({turn} of {turns} turns).")
     return view
 
 
@@ -84,7 +83,7 @@ def explore(board: Blackboard, view: View, search: Search) -> Skill[bool]:
     misses, idle_turns = search.misses(board), 0
     while True:
         found = _plan(board, view, search)
-        if found is not None and board.planner.leads_on(found[1]):
+        if found is not None and board.config.search.goes_on(board.planner, found[1]):
             if found[0].kind is search.target:
                 return True
             idle_turns = 0
@@ -116,17 +115,18 @@ def _turns_worth_making(board: Blackboard, view: View) -> int:
 
 def approach(board: Blackboard, view: View, search: Search) -> Skill[Approach]:
     """Drive to the target and face it, as long as there is one to head for and the way is not blocked too often."""
+    rules = board.config.search
     while True:
         found = _plan(board, view, search)
-        if found is None or found[0].kind is not search.target or not board.planner.leads_on(found[1]):
+        if found is None or found[0].kind is not search.target or not rules.goes_on(board.planner, found[1]):
             return Approach.LOST
         goal, plan = found
-        is_stuck = _is_stuck_before(board, plan)
-        if not is_stuck:
+        has_arrived = rules.has_arrived(board.planner, plan)
+        if not has_arrived:
             _remember_failure(board)
         move = _carry_out(board, view, goal, plan)
         action = plan.action
-        if is_stuck:
+        if has_arrived:
             action = board.planner.turn_to_face(board.bird_map, view.observation.base_to_start, goal)
         if action is None:
             board.planner.interrupt()
@@ -148,7 +148,8 @@ def _plan(board: Blackboard, view: View, search: Search) -> tuple[Goal, Plan] | 
     with section("planner"):
         wanted = [misses.avoided_by(choose) for choose in _choices(board, search)]
         choices = [_but_failed_goals(board, choose) for choose in board.commitment.choices(wanted)]
-        return plan_first(board.planner, board.bird_map, view.observation.base_to_start, choices)
+        base = view.observation.base_to_start
+        return board.config.search.pursue(board.planner, board.bird_map, base, choices, search.target)
 
 
 def _choices(board: Blackboard, search: Search) -> tuple[ChooseGoal, ...]:
@@ -185,11 +186,6 @@ def _relax(board: Blackboard) -> bool:
     elif relaxation is Relaxation.LOOKS:
         board.bird_map.forget_looks()
     return relaxation is not None
-
-
-def _is_stuck_before(board: Blackboard, plan: Plan) -> bool:
-    """Whether the robot is blocked so near to what it searched that it has as good as arrived."""
-    return plan.reachable and board.planner.is_blocked_often and plan.distance <= NEARLY_THERE
 
 
 def _carry_out(board: Blackboard, view: View, goal: Goal, plan: Plan) -> Move:

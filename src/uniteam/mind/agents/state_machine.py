@@ -133,6 +133,7 @@ def _pick(board: Blackboard, view: View) -> Skill[Phase]:
     if result.grasped:
         board.lying = None
         board.planner.carry(board.config.footprint(result.load))
+        board.config.search.recall(board.bird_map)
         return _bring(result.load).find
     board.object_misses.add(attempt)
     return _FETCH.find

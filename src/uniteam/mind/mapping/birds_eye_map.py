@@ -100,14 +100,14 @@ class BirdsEyeMap:
         """Return the (H, W) greatest height (m) of the class at its last sighting; 0 where it was never seen."""
         return self._class_height[role]
 
-    def object_on_start_receptacle(self) -> Mask:
-        """Return the (H, W) cells of the object at which the start receptacle was seen too, one cell's play allowed."""
+    def object_on_start_receptacle(self, play: int) -> Mask:
+        """Return the (H, W) cells of the object with the start receptacle at most `play` cells away."""
         (top, left), (bottom, right) = self._known
         known = slice(top, bottom), slice(left, right)
         receptacle = np.ascontiguousarray(self.class_cells(ClassRole.START_RECEPTACLE)[known]).view(np.uint8)
         both = np.zeros(self.shape, dtype=np.bool_)
         if receptacle.size:
-            both[known] = self.class_cells(ClassRole.OBJECT)[known] & cv2.dilate(receptacle, disc(1)).view(np.bool_)
+            both[known] = self.class_cells(ClassRole.OBJECT)[known] & cv2.dilate(receptacle, disc(play)).view(np.bool_)
         return both
 
     @property
@@ -161,6 +161,10 @@ class BirdsEyeMap:
         """Forget where the robot has been close to things and looked at them, so that it does so again."""
         self.been_close[:] = False
         self.looked_from[:] = 0
+
+    def forget_probability(self, role: ClassRole) -> None:
+        """Forget how probable the class is wherever it was seen; that it was seen stays known."""
+        self._class_probability[role] = 0.0
 
     def clear_collisions(self) -> None:
         """Forget every collision cell."""

@@ -228,7 +228,7 @@ def _merge(
                     along, across = column - x, row - y
                     ahead, left = c * along + s * across, c * across - s * along + size // 2
                     score = _best_near(scores[role], round(ahead), round(left))
-                    gain = limits.gain if channels.class_cells[role, row, column] else np.float32(1.0)
+                    gain = limits.gain if probability > 0 else np.float32(1.0)
                     channels.class_probability[role, row, column] = probability + gain * (score - probability)
                     channels.class_cells[role, row, column] = True
                 elif seen and probability > 0:

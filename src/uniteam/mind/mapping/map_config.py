@@ -39,7 +39,7 @@ class MapConfig:
         probability_gain: how far the running probability of a class moves to the score of a new sighting.
         probability_decay: the share it loses when the cell is seen again without the class.
         class_depths: up to which depth each `ClassRole` is mapped (m). HomeRobot maps all to `max_depth`, and keeps
-            them; UniTeam's `early_goal_memory` keeps goal receptacles from as far as depth is measured.
+            them; `far_sight` keeps goal receptacles from as far as depth is measured.
         clear: what takes cells back.
         fine_obstacles: what is known of obstacles at a finer grain.
         looks: from which sides the start receptacles have been looked at.

@@ -146,7 +146,7 @@ def _merge(
             probability = channels.class_probability[role, row, column]
             if scratch.counts[cell, FIRST_CLASS + role] >= limits.min_class_points:
                 score = scratch.scores[cell, role]
-                gain = limits.gain if channels.class_cells[role, row, column] else np.float32(1.0)
+                gain = limits.gain if probability > 0 else np.float32(1.0)
                 channels.class_probability[role, row, column] = probability + gain * (score - probability)
                 channels.class_cells[role, row, column] = True
                 channels.class_height[role, row, column] = scratch.heights[cell, role]

@@ -8,6 +8,7 @@ import numpy as np
 
 from uniteam.interface import DiscreteAction
 from uniteam.mind.manipulation.arm_clearance import Load
+from uniteam.mind.manipulation.leave_manipulation import fold
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.skill import Skill, discrete, move_joints
 from uniteam.mind.skills.view import Points, View
@@ -28,12 +29,14 @@ class PickConfig:
         look_around: how the base then looks for it.
         reach_out: how the gripper is then brought within reach of it.
         is_grasped: how the snap is judged.
+        leave: how the robot gets back to driving.
     """
 
     tilt_head: Prepare
     look_around: Prepare
     reach_out: Prepare
     is_grasped: GraspCheck
+    leave: Callable[[View, str], Skill[View]] = fold
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,7 @@ def pick(view: View, config: PickConfig) -> Skill[PickResult]:
     grasped = config.is_grasped(view)
     view = yield from move_joints(view, replace(view.observation.joints, arm=0.0), "I retract the arm.")
     outcome = f"The {name} is in the gripper, I believe" if grasped else f"The gripper is empty, so I missed the {name}"
-    yield discrete(DiscreteAction.NAVIGATION_MODE, f"{outcome}; back to driving.")
+    yield from config.leave(view, f"{outcome}; back to driving.")
     return PickResult(grasped, load)
 
 

@@ -11,6 +11,7 @@ from uniteam.interface import DiscreteAction
 from uniteam.mind.manipulation.arm_clearance import EMPTY_GRIPPER, SweepConfig
 from uniteam.mind.manipulation.arm_path import ArmPath, is_path_free
 from uniteam.mind.manipulation.arm_reach import ArmReach
+from uniteam.mind.manipulation.leave_manipulation import QUARTER, quarters_turned
 from uniteam.mind.manipulation.pick.pick import load_seen, object_points
 from uniteam.mind.skills.skill import (
     LONGEST_DRIVE,
@@ -96,9 +97,10 @@ class ReachOut:
     def _drive_closer(self, view: View) -> Skill[View]:
         """Turn to the object, drive towards it and point the arm at it again."""
         x, y, _ = _middle(view)
-        bearing = math.remainder(math.atan2(y, x) + math.pi / 2, 2 * math.pi)
+        before = view.observation.base_to_start.heading
         distance = min(max(self._shortfall(view), SMALLEST_DRIVE), LONGEST_DRIVE)
         view = yield discrete(DiscreteAction.NAVIGATION_MODE, "The object is beyond reach, so I drive closer.")
+        bearing = math.remainder(math.atan2(y, x) - quarters_turned(before, view) * QUARTER, 2 * math.pi)
         if abs(bearing) >= SMALLEST_TURN:
             view = yield turn(bearing, "I turn to the object.")
         view = yield drive(distance, f"I drive {distance:.2f} m closer to the object.")

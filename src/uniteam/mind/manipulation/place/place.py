@@ -8,6 +8,7 @@ import numpy as np
 from uniteam.interface import DiscreteAction
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.arm_path import ArmPath, follow, let_go
+from uniteam.mind.manipulation.leave_manipulation import fold
 from uniteam.mind.manipulation.place.after_release import Lying, Verify, Wait, WaitSteps, take_it_for_placed
 from uniteam.mind.manipulation.place.drop_height import Release
 from uniteam.mind.manipulation.place.motion import Motion, WholeSteps
@@ -91,6 +92,7 @@ class PlaceConfig:
         fall_back: what to do where no receptacle is seen or reached.
         attempts: at how many places to try for an aim; at the last one the object is let go without one. The baseline
             has one, `more_attempts` several.
+        leave: how the robot gets back to driving.
         withdraw: what the arm does once it has let go.
         wait: how to wait for the object to come to rest.
         verify: how to find out where it lies then.
@@ -103,6 +105,7 @@ class PlaceConfig:
     fall_back: Fallback
     receptacle: Callable[[View], Points] = inside_of_mask
     motion: Motion = field(default_factory=WholeSteps)
+    leave: Callable[[View, str], Skill[View]] = fold
     withdraw: Callable[[View], Skill[View]] = lift_and_retract
     attempts: int = 1
     wait: Wait = field(default_factory=WaitSteps)
@@ -143,7 +146,9 @@ def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool)
     stand = yield from config.close_in(view, context)
     aim = None if stand is None else context.find_path(stand, context)
     if aim is None and not is_last:
-        yield discrete(DiscreteAction.NAVIGATION_MODE, "The arm cannot place it from here; I try elsewhere.")
+        yield from config.leave(
+            view if stand is None else stand.view, "The arm cannot place it from here; I try elsewhere."
+        )
         return PlaceResult(released=False)
     if aim is None:
         aim = yield from config.fall_back(view if stand is None else stand.view, context)

@@ -10,6 +10,9 @@ from uniteam.grid import Mask, disc
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.window import window_around
 
+HOMEROBOT_DILATION = 10
+"""Cells by which HomeRobot grows the explored area before it takes its border."""
+
 
 @dataclass(frozen=True)
 class FrontierConfig:
@@ -39,6 +42,14 @@ def find_frontiers(bird_map: BirdsEyeMap, base: BasePose, config: FrontierConfig
     blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), disc(config.dilation_cells))
     edge = (cv2.dilate(explored, disc(1)) > explored) & (blocked == 0)
     return window.paste(large_groups(edge, config.min_cells), bird_map.shape)
+
+
+def border_of_explored(bird_map: BirdsEyeMap, base: BasePose) -> Mask:
+    """Return the (H, W) cells half a metre beyond what is explored, whatever stands there: HomeRobot's frontier."""
+    window = window_around(bird_map, base)
+    explored = cv2.dilate(window.cut(bird_map.explored).view(np.uint8), disc(HOMEROBOT_DILATION))
+    beyond = 1 - explored
+    return window.paste((cv2.dilate(beyond, disc(1)) > beyond), bird_map.shape)
 
 
 def large_groups(cells: Mask, min_cells: int) -> Mask:

@@ -30,43 +30,57 @@ class BlockedMotion:
     in_a_row: int
 
 
+FeltAt = Callable[[BlockedMotion, float], NDArray[np.float64]]
+"""From a blocked motion and the size of a cell (m) to the (K, 2) points (m, start frame) where an obstacle was felt."""
+
+
+def at_short_term_goal(motion: BlockedMotion, cell_size: float) -> NDArray[np.float64]:
+    """Return the point to which the motion was to lead, as the UniTeam report has it."""
+    return np.array([motion.short_term_goal])
+
+
+def before_the_rim(motion: BlockedMotion, cell_size: float) -> NDArray[np.float64]:
+    """Return a patch where the motion led, but not within the base, wider when blocked again: `wide_collisions`."""
+    length = max(RIM, motion.base.distance_to(*motion.short_term_goal))
+    reach = round(length / cell_size)
+    width = min(2 * motion.in_a_row + 1, 13)
+    return _patch(motion.base, cell_size, np.arange(2 * reach, 2 * reach + 3) / 2, np.arange(1 - width, width) / 2)
+
+
 @dataclass(frozen=True)
 class CollisionMemory:
     """How collisions are remembered.
 
     Attributes:
-        write: writes a blocked motion into the map.
+        write: writes a blocked motion into the map; takes where an obstacle was felt.
         replan: called when a path is begun that there is only without the collision cells or with a smaller dilation.
         no_path: called when there is no path to anything.
     """
 
-    write: Callable[[BirdsEyeMap, BlockedMotion], None]
+    write: Callable[[BirdsEyeMap, BlockedMotion, FeltAt], None]
     replan: Callable[[BirdsEyeMap], None]
     no_path: Callable[[BirdsEyeMap], None]
 
 
-def write_patch_ahead(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
+def write_patch_ahead(bird_map: BirdsEyeMap, motion: BlockedMotion, felt_at: FeltAt) -> None:
     """Mark a small patch of collision cells 0.2 m ahead, wider when blocked again: HomeRobot's collision map."""
-    cell = bird_map.cell_size
-    width = min(2 * motion.in_a_row - 1, 5)
+    half = min(motion.in_a_row, 2)
     nearest, length = (4, 2) if motion.in_a_row < 3 else (3, 4)
-    bird_map.mark_collision(_patch(motion.base, cell, range(nearest, nearest + length), width))
+    ahead = np.arange(nearest, nearest + length)
+    bird_map.mark_collision(_patch(motion.base, bird_map.cell_size, ahead, np.arange(-half, half + 1)))
 
 
 def forget_collisions(bird_map: BirdsEyeMap) -> None:
-    """Clear the collision cells, as HomeRobot does when it finds no path; here only when that brings a path about."""
+    """Clear the collision cells, as HomeRobot does whenever it finds no path."""
     bird_map.clear_collisions()
 
 
-def write_short_term_goal(bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
-    """Write an obstacle where the motion led, before the base's rim, wider when blocked again: UniTeam's improvement.
+def write_obstacle(bird_map: BirdsEyeMap, motion: BlockedMotion, felt_at: FeltAt) -> None:
+    """Write an obstacle where it was felt: UniTeam's improvement.
 
     It stands in the obstacle map, so it is dilated as any obstacle, and stays until there is no path to anything.
     """
-    length = max(RIM, motion.base.distance_to(*motion.short_term_goal))
-    reach = round(length / bird_map.cell_size)
-    width = min(2 * motion.in_a_row + 1, 13)
-    points = _patch(motion.base, bird_map.cell_size, range(reach, reach + 2), width)
+    points = felt_at(motion, bird_map.cell_size)
     bird_map.mark_felt(points)
     bird_map.mark_collision(points)
 
@@ -84,17 +98,15 @@ def forget_all(bird_map: BirdsEyeMap) -> None:
 PATCH_UNTIL_REPLAN = CollisionMemory(write_patch_ahead, forget_collisions, forget_all)
 """The baseline's memory of collisions."""
 
-COLLISION_MAPPING = CollisionMemory(write_short_term_goal, keep_collisions, forget_all)
+COLLISION_MAPPING = CollisionMemory(write_obstacle, keep_collisions, forget_all)
 """UniTeam's `collision_mapping`."""
 
 
-def _patch(base: BasePose, cell: float, ahead: range, width: int) -> NDArray[np.float64]:
-    """Return (K, 2) points (m, parent frame of the base) on a grid ahead of a base, centred on its axis.
+def _patch(base: BasePose, cell: float, ahead: NDArray[np.number], sides: NDArray[np.number]) -> NDArray[np.float64]:
+    """Return (K, 2) points (m, parent frame of the base) on a grid so many cells ahead of a base and to its left.
 
-    The points lie half a cell apart: a patch of cells that is turned against the grid must have no holes.
+    A patch of cells that is turned against the grid has holes unless its points lie half a cell apart.
     """
     forward = np.array([math.cos(base.heading), math.sin(base.heading)])
     left = np.array([-forward[1], forward[0]])
-    lengths = np.arange(2 * ahead.start, 2 * ahead.stop - 1) / 2
-    sides = np.arange(-(width - 1), width) / 2
-    return np.array([(base.x, base.y) + cell * (a * forward + s * left) for a in lengths for s in sides])
+    return np.array([(base.x, base.y) + cell * (a * forward + s * left) for a in ahead for s in sides])

@@ -166,6 +166,13 @@ def nearest_target(free: Mask, prices: NDArray[np.uint8], start: Cell, targets: 
     return SearchResult(costs, (row, column))
 
 
+def costs_to(free: Mask, sources: Mask, cell: Cell) -> NDArray[np.int32]:
+    """Return the (H, W) costs (`SearchResult`) of the ways to the nearest source, where they are less than a cell's."""
+    until = np.zeros_like(free)
+    until[cell] = True
+    return _spread(free, _alike(free), sources, until)[0]
+
+
 def trace_path(free: Mask, prices: NDArray[np.uint8], reach: SearchResult, cell: Cell) -> NDArray[np.int32]:
     """Return the (P, 2) cells (row, column) of the path from a search's start to a cell that it reached, inclusive."""
     return _descend(free, prices, reach.costs, cell[0], cell[1])

@@ -9,7 +9,7 @@ from uniteam.geometry import BasePose
 from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.planning.clearance import Clearance
-from uniteam.mind.navigation.planning.collision_mapping import BlockedMotion
+from uniteam.mind.navigation.planning.collision_mapping import BlockedMotion, FeltAt
 from uniteam.mind.navigation.planning.planner import Way, move_in_steps
 from uniteam.mind.navigation.window import window_around
 from uniteam.mind.skills.skill import SMALLEST_TURN
@@ -75,12 +75,12 @@ class UnlessNarrow:
         tries: so many blocked motions in a row are not written.
     """
 
-    write: Callable[[BirdsEyeMap, BlockedMotion], None]
+    write: Callable[[BirdsEyeMap, BlockedMotion, FeltAt], None]
     tries: int = 5
 
-    def __call__(self, bird_map: BirdsEyeMap, motion: BlockedMotion) -> None:
+    def __call__(self, bird_map: BirdsEyeMap, motion: BlockedMotion, felt_at: FeltAt) -> None:
         """Write a blocked motion into the map."""
         bird_map.fine.note_blocked(motion.base)
         clearance = Clearance.of(bird_map, window_around(bird_map, motion.base))
         if motion.in_a_row > self.tries or clearance.ahead(motion.base, ACTION_LIMITS.forward_step) >= NARROW:
-            self.write(bird_map, motion)
+            self.write(bird_map, motion, felt_at)

@@ -1,7 +1,7 @@
-"""From a goal on the map to the next action: the discrete planner.
+"""From a goal on the map to the next action along a path that is pulled straight (`string_pulled_path`).
 
-It follows HomeRobot's: obstacles dilated by three cells, a dilation that shrinks while no path is found, a short-term
-goal five cells ahead, a turn or a forward motion towards it, a stop within 0.5 m of the goal, and a turn to face it.
+As in HomeRobot's planner (`ring_planner`), obstacles are dilated, the short-term goal lies five cells ahead, and the
+robot turns or drives towards it. Smaller dilations are tried within the step in which there is no path, not for good.
 """
 
 import math
@@ -18,7 +18,13 @@ from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement, DiscreteA
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.planning.clearance import Clearance
-from uniteam.mind.navigation.planning.collision_mapping import PATCH_UNTIL_REPLAN, BlockedMotion, CollisionMemory
+from uniteam.mind.navigation.planning.collision_mapping import (
+    PATCH_UNTIL_REPLAN,
+    BlockedMotion,
+    CollisionMemory,
+    FeltAt,
+    at_short_term_goal,
+)
 from uniteam.mind.navigation.planning.distance_field import SearchResult, nearest_target, path_length, trace_path
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal
 from uniteam.mind.navigation.planning.traversible import connected_to, traversible
@@ -31,8 +37,13 @@ BLOCKED_OFTEN = 3
 """Forward motions blocked one after the other; a way that three wider and wider marks on the map left open is none."""
 
 
+def turn_roughly(bearing: float) -> Action | None:
+    """Return a turn of 30 degrees towards a bearing (rad), or None within 20 degrees of it, as HomeRobot does."""
+    return None if abs(bearing) <= TURN * 2 / 3 else turn_in_steps(bearing)
+
+
 def turn_in_steps(bearing: float) -> Action | None:
-    """Return a turn of 30 degrees towards a bearing (rad), or None within 15 degrees of it."""
+    """Return a turn of 30 degrees towards a bearing (rad), or None within 15 degrees of it: `straight_face`."""
     if abs(bearing) <= TURN / 2 + 1e-6:
         return None
     return DiscreteAction.TURN_LEFT if bearing > 0 else DiscreteAction.TURN_RIGHT
@@ -82,8 +93,12 @@ class PlannerConfig:
         step_cells: how far ahead the short-term goal lies.
         blocked_below: a forward motion that gets less far was blocked (share of what was asked for).
         tolerance: the goal is reached this far (m, along the path) before the place that was asked for.
-        patience: what may be added to the goal's distance (m) before the dilation shrinks.
+        patience: what may be added to the goal's distance (m) before the dilation shrinks. HomeRobot has neither of the
+            two, `near_enough` both.
+        own_cells: radius (cells) of the disc around the robot that is free because it stands there; `own_disc` has a
+            larger one.
         collisions: how blocked motions are remembered.
+        felt_at: where an obstacle was that blocked a motion.
         face: how the robot turns towards the goal once it is there.
         price: what a path costs more near to obstacles.
         move: how the robot moves towards the short-term goal.
@@ -92,10 +107,12 @@ class PlannerConfig:
     dilations: tuple[int, ...] = (3, 2, 1)
     step_cells: int = 5
     blocked_below: float = 0.8
-    tolerance: float = 0.10
-    patience: float = 0.25
+    tolerance: float = 0.0
+    patience: float = 0.0
+    own_cells: int = 1
     collisions: CollisionMemory = PATCH_UNTIL_REPLAN
-    face: Callable[[float], Action | None] = turn_in_steps
+    felt_at: FeltAt = at_short_term_goal
+    face: Callable[[float], Action | None] = turn_roughly
     price: Price = one_price
     move: Move = move_in_steps
 
@@ -113,6 +130,7 @@ class Plan:
         short_term_goal: (x, y) the robot heads for now, or None when it has arrived.
         path: (P, 2) from the robot to where it will stand.
         goal_points: (K, 2) the goal's cells; K may be 0.
+        has_place: whether anywhere near enough to the goal is free, be there a path or not.
     """
 
     action: Action | None
@@ -123,6 +141,7 @@ class Plan:
     short_term_goal: tuple[float, float] | None
     path: NDArray[np.float64]
     goal_points: NDArray[np.float64]
+    has_place: bool = True
 
 
 @dataclass(frozen=True)
@@ -243,23 +262,27 @@ class Planner:
         if motion.length > ACTION_LIMITS.forward_step:  # nobody knows where on the way it was blocked
             return
         blocked = BlockedMotion(motion.base, motion.short_term_goal, self._blocked_in_a_row)
-        self.config.collisions.write(bird_map, blocked)
+        self.config.collisions.write(bird_map, blocked, self.config.felt_at)
+
+    def give_way(self, bird_map: BirdsEyeMap) -> None:
+        """Take note that there is no path on a map."""
+        self.config.collisions.replan(bird_map)
 
     def _find_route(self, bird_map: BirdsEyeMap, base: BasePose, goal: Goal) -> _Route:
         window = window_around(bird_map, base, goal.cells)
         robot = window.inside(bird_map.to_cell(base.x, base.y))
-        to_goal = _straight_distance(window.cut(goal.cells), bird_map.cell_size)
+        to_goal = straight_distance(window.cut(goal.cells), bird_map.cell_size)
         clearance = Clearance.of(bird_map, window)
         prices = self.config.price(clearance)
         shunned = np.zeros_like(to_goal, dtype=np.bool_) if goal.shunned is None else window.cut(goal.shunned)
         dilations = self._dilations(bird_map.cell_size)
-        careful = traversible(bird_map, window, robot, dilations[0]) & ~window.cut(bird_map.collision)
+        careful = self._free(bird_map, window, robot, dilations[0]) & ~window.cut(bird_map.collision)
         careful[robot] = True
         targets = self._targets(careful, robot, to_goal, shunned, goal)
         if targets is not None:
             return _Route(window, careful, clearance, prices, nearest_target(careful, prices, robot, targets), True)
         for dilation in dilations:
-            free = traversible(bird_map, window, robot, dilation)
+            free = self._free(bird_map, window, robot, dilation)
             targets = self._targets(free, robot, to_goal, shunned, goal)
             if targets is not None:
                 reach = nearest_target(free, prices, robot, targets)
@@ -268,6 +291,9 @@ class Planner:
         targets = nearest == nearest.min() if np.isfinite(nearest[robot]) else nearest < 0
         targets[robot] |= not targets.any()
         return _Route(window, careful, clearance, prices, nearest_target(careful, prices, robot, targets), False)
+
+    def _free(self, bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: int) -> Mask:
+        return traversible(bird_map, window, robot, dilation, self.config.own_cells)
 
     def _dilations(self, cell_size: float) -> tuple[int, ...]:
         """Return by how many cells obstacles grow, tried in this order: first by what the load sticks out more."""
@@ -297,7 +323,12 @@ class Planner:
         return self.config.face(base.bearing_to(*nearest))
 
 
-def _straight_distance(cells: Mask, cell_size: float) -> NDArray[np.float32]:
+def plan_string_pulled(config: PlannerConfig) -> Planner:
+    """Return a new planner whose paths are pulled straight."""
+    return Planner(config)
+
+
+def straight_distance(cells: Mask, cell_size: float) -> NDArray[np.float32]:
     """Return each cell's distance (m) to the nearest of some cells, through everything; inf where there is none."""
     if not cells.any():
         return np.full(cells.shape, np.inf, dtype=np.float32)

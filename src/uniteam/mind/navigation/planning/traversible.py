@@ -10,7 +10,7 @@ from uniteam.mind.navigation.window import Window
 OWN_CELLS = 3
 
 
-def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: int) -> Mask:
+def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: int, own_cells: int = OWN_CELLS) -> Mask:
     """Return the window's free cells: not within `dilation` cells of an obstacle, or visited.
 
     The robot's own disc is free but for obstacles themselves: it stands there. Obstacles that were felt count more than
@@ -21,10 +21,11 @@ def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: in
         window: the part of it to cut out.
         robot: (row, column) of the robot in the window.
         dilation: cells by which obstacles grow.
+        own_cells: radius of the robot's own disc, in cells.
     """
     obstacle = window.cut(bird_map.obstacle)
     blocked = cv2.dilate(obstacle.view(np.uint8), disc(dilation)).view(np.bool_)
-    own = disc_mask(obstacle.shape, robot, OWN_CELLS) & ~obstacle
+    own = disc_mask(obstacle.shape, robot, own_cells) & ~obstacle
     felt = cv2.dilate(window.cut(bird_map.felt).view(np.uint8), disc(dilation)).view(np.bool_)
     free = ~blocked | own | window.cut(bird_map.visited) & ~felt
     free[robot] = True
