@@ -24,7 +24,7 @@ def table(x: float, y: float) -> Box:
 
 def looked_share(boxes: tuple[Box, ...], *improvements: str) -> float:
     """Return the share of the table's cells that count as looked at after one look ahead, and one at it from afar."""
-    bird_map = BirdsEyeMap(improved(BASELINE, improvements).map)
+    bird_map = BirdsEyeMap(improved(BASELINE, ("exact_labels", *improvements)).map)
     for heading in (math.radians(30.0), 0.0):
         observation = observe(boxes, BasePose(0.0, 0.0, heading), CAMERA)
         assert observation.truth is not None

@@ -53,7 +53,7 @@ from uniteam.mind.navigation.goals.surround_start_receptacle import SurroundStar
 from uniteam.mind.navigation.planning.clearance_cost import ClearancePrice
 from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING, before_the_rim, keep_collisions
 from uniteam.mind.navigation.planning.long_strides import LongStrides
-from uniteam.mind.navigation.planning.narrow_motion import ExactWhereNarrow, UnlessNarrow
+from uniteam.mind.navigation.planning.narrow_motion import ExactWhereNarrow, SpareNarrowWays
 from uniteam.mind.navigation.planning.planner import plan_string_pulled, turn_in_steps
 from uniteam.mind.navigation.planning.traversible import OWN_CELLS
 from uniteam.mind.navigation.planning.true_radius import true_radius
@@ -196,23 +196,6 @@ def _floor_filter(config: AgentConfig) -> AgentConfig:
 def _true_radius(config: AgentConfig) -> AgentConfig:
     dilations = true_radius(config.map.cell_size)
     return Replacement("true_radius", (("planner.dilations", dilations),))(config)
-
-
-def _narrow_motion(config: AgentConfig) -> AgentConfig:
-    collisions = replace(config.planner.collisions, write=UnlessNarrow(config.planner.collisions.write))
-    config = replace(config, planner=replace(config.planner, collisions=collisions))
-    slots = ("planner.move", ExactWhereNarrow()), ("map.fine_obstacles", FineGrain())
-    return Replacement("narrow_motion", slots)(config)
-
-
-def _long_strides(config: AgentConfig) -> AgentConfig:
-    return replace(config, planner=replace(config.planner, move=LongStrides(config.planner.move)))
-
-
-def _last_round(config: AgentConfig) -> AgentConfig:
-    patient = replace(config.planner.collisions, no_path=keep_collisions)
-    config = replace(config, planner=replace(config.planner, collisions=patient))
-    return Replacement("last_round", (("relax", LastRound()),))(config)
 
 
 REPORT: tuple[Improvement, ...] = (
@@ -408,15 +391,17 @@ BEYOND: tuple[Improvement, ...] = (
         "a path keeps away from obstacles where that is no long way round",
         planner__price=ClearancePrice(),
     ),
-    Improvement(
+    _replacing(
         "narrow_motion",
         "turns from 5 degrees and drives from 0.1 m where 30 degrees and 0.25 m do not fit",
-        _narrow_motion,
+        planner__move=ExactWhereNarrow(),
+        planner__spares=SpareNarrowWays(),
+        map__fine_obstacles=FineGrain(),
     ),
-    Improvement(
+    _replacing(
         "long_strides",
         "exact turns, and drives of up to a metre where the way ahead is straight and clear",
-        _long_strides,
+        planner__stride=LongStrides(),
     ),
     _replacing(
         "failed_goal_memory",
@@ -428,10 +413,11 @@ BEYOND: tuple[Improvement, ...] = (
         "the load is part of the footprint on which the robot drives and turns, where there is a way so wide",
         footprint=LoadFootprint(),
     ),
-    Improvement(
+    _replacing(
         "last_round",
         "steps that are left are used: what failed is tried again, and what was looked at is looked at again",
-        _last_round,
+        relax=LastRound(),
+        planner__no_path=keep_collisions,
     ),
     _replacing("low_drop", "a small object is released close above the surface", place__release__least_height=LOW_DROP),
 )

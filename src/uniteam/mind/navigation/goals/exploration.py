@@ -100,7 +100,7 @@ def plan_first(planner: Planner, bird_map: BirdsEyeMap, base: BasePose, choices:
     """
     found = _first_reachable(planner, bird_map, base, choices)
     if found is not None and not found[1].reachable and bird_map.collision.any():
-        planner.config.collisions.no_path(bird_map)
+        planner.config.no_path(bird_map)
         found = _first_reachable(planner, bird_map, base, choices)
     return found
 

@@ -54,12 +54,10 @@ class CollisionMemory:
     Attributes:
         write: writes a blocked motion into the map; takes where an obstacle was felt.
         replan: called when a path is begun that there is only without the collision cells or with a smaller dilation.
-        no_path: called when there is no path to anything.
     """
 
     write: Callable[[BirdsEyeMap, BlockedMotion, FeltAt], None]
     replan: Callable[[BirdsEyeMap], None]
-    no_path: Callable[[BirdsEyeMap], None]
 
 
 def write_patch_ahead(bird_map: BirdsEyeMap, motion: BlockedMotion, felt_at: FeltAt) -> None:
@@ -95,10 +93,10 @@ def forget_all(bird_map: BirdsEyeMap) -> None:
     bird_map.clear_felt()
 
 
-PATCH_UNTIL_REPLAN = CollisionMemory(write_patch_ahead, forget_collisions, forget_all)
+PATCH_UNTIL_REPLAN = CollisionMemory(write_patch_ahead, forget_collisions)
 """The baseline's memory of collisions."""
 
-COLLISION_MAPPING = CollisionMemory(write_obstacle, keep_collisions, forget_all)
+COLLISION_MAPPING = CollisionMemory(write_obstacle, keep_collisions)
 """UniTeam's `collision_mapping`."""
 
 

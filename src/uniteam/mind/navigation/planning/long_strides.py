@@ -4,32 +4,30 @@ from dataclasses import dataclass, replace
 
 from uniteam.geometry import BasePose
 from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement
-from uniteam.mind.navigation.planning.planner import Move, Way
+from uniteam.mind.navigation.planning.planner import Way
 from uniteam.mind.skills.skill import LONGEST_DRIVE, SMALLEST_TURN
 from uniteam.stretch import BASE_RADIUS
 
 
 @dataclass(frozen=True)
 class LongStrides:
-    """Turns exactly and drives as far as the way is straight, explored and clear; else moves as it would without.
+    """Turns exactly and drives as far as the way is straight, explored and clear.
 
     Attributes:
-        otherwise: how the robot moves then.
         shortest: strides are no shorter (m): what a discrete step does is left to it.
         clearance: on the way to the nearest obstacle (m).
     """
 
-    otherwise: Move
     shortest: float = 0.4
     clearance: float = BASE_RADIUS + 0.08
 
-    def __call__(self, base: BasePose, way: Way) -> Action:
-        """Return the next motion from the robot (start frame) along the way."""
+    def __call__(self, base: BasePose, way: Way) -> Action | None:
+        """Return the next motion from the robot (start frame) along the way; None where that is no stride."""
         length = min(way.straight, LONGEST_DRIVE)
         bearing = base.bearing_to(*way.goal)
         towards = replace(base, heading=base.heading + bearing)
         if way.blocked_in_a_row or length < self.shortest or not self._is_clear(towards, length, way):
-            return self.otherwise(base, way)
+            return None
         if abs(bearing) >= SMALLEST_TURN:
             return BaseDisplacement(heading=bearing)
         ahead = self._is_clear(base, length, way)

@@ -1,7 +1,6 @@
 """Small and exact motions where the discrete ones do not fit (`narrow_motion`)."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from itertools import product
 
@@ -9,7 +8,7 @@ from uniteam.geometry import BasePose
 from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.planning.clearance import Clearance
-from uniteam.mind.navigation.planning.collision_mapping import BlockedMotion, FeltAt
+from uniteam.mind.navigation.planning.collision_mapping import BlockedMotion
 from uniteam.mind.navigation.planning.planner import Way, move_in_steps
 from uniteam.mind.navigation.window import window_around
 from uniteam.mind.skills.skill import SMALLEST_TURN
@@ -65,22 +64,21 @@ class ExactWhereNarrow:
 
 
 @dataclass(frozen=True)
-class UnlessNarrow:
-    """Writes no obstacle where a narrow way was grazed: it would close it for ever.
+class SpareNarrowWays:
+    """Has no obstacle written where a narrow way was grazed, which would close it for ever.
 
-    Only the motion itself is remembered, so that another one is tried, until one too many was blocked.
+    The motion itself is remembered, so that another one is tried, until one too many was blocked.
 
     Attributes:
-        write: how a blocked motion is written elsewhere, and once too many were blocked.
         tries: so many blocked motions in a row are not written.
     """
 
-    write: Callable[[BirdsEyeMap, BlockedMotion, FeltAt], None]
     tries: int = 5
 
-    def __call__(self, bird_map: BirdsEyeMap, motion: BlockedMotion, felt_at: FeltAt) -> None:
-        """Write a blocked motion into the map."""
+    def __call__(self, bird_map: BirdsEyeMap, motion: BlockedMotion) -> bool:
+        """Return whether a blocked motion is not written into the map."""
         bird_map.fine.note_blocked(motion.base)
+        if motion.in_a_row > self.tries:
+            return False
         clearance = Clearance.of(bird_map, window_around(bird_map, motion.base))
-        if motion.in_a_row > self.tries or clearance.ahead(motion.base, ACTION_LIMITS.forward_step) >= NARROW:
-            self.write(bird_map, motion, felt_at)
+        return clearance.ahead(motion.base, ACTION_LIMITS.forward_step) < NARROW

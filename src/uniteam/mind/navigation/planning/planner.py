@@ -24,6 +24,7 @@ from uniteam.mind.navigation.planning.collision_mapping import (
     CollisionMemory,
     FeltAt,
     at_short_term_goal,
+    forget_all,
 )
 from uniteam.mind.navigation.planning.distance_field import SearchResult, nearest_target, path_length, trace_path
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal
@@ -79,6 +80,20 @@ def move_in_steps(base: BasePose, way: Way) -> Action:
     return turn_in_steps(base.bearing_to(*way.goal)) or DiscreteAction.MOVE_FORWARD
 
 
+Stride = Callable[[BasePose, Way], Action | None]
+"""From the robot (start frame) and the way ahead to a longer motion along it; None where `Move` is to be asked."""
+
+
+def no_stride(base: BasePose, way: Way) -> Action | None:
+    """Return None: whatever the way, move as the discrete actions do."""
+    return None
+
+
+def write_every_motion(bird_map: BirdsEyeMap, motion: BlockedMotion) -> bool:
+    """Return False: each blocked motion is written into the map."""
+    return False
+
+
 def one_price(clearance: Clearance) -> NDArray[np.uint8]:
     """Return the same price for all cells: the shortest path wins, however near to obstacles."""
     return np.ones(clearance.obstacle.shape, dtype=np.uint8)
@@ -102,6 +117,9 @@ class PlannerConfig:
         face: how the robot turns towards the goal once it is there.
         price: what a path costs more near to obstacles.
         move: how the robot moves towards the short-term goal.
+        stride: how far it moves at once where the way is straight for longer.
+        spares: whether a blocked motion is not written into the map.
+        no_path: called when there is no path to anything.
     """
 
     dilations: tuple[int, ...] = (3, 2, 1)
@@ -115,6 +133,9 @@ class PlannerConfig:
     face: Callable[[float], Action | None] = turn_roughly
     price: Price = one_price
     move: Move = move_in_steps
+    stride: Stride = no_stride
+    spares: Callable[[BirdsEyeMap, BlockedMotion], bool] = write_every_motion
+    no_path: Callable[[BirdsEyeMap], None] = forget_all
 
 
 @dataclass(frozen=True)
@@ -225,7 +246,7 @@ class Planner:
             short_term_goal = bird_map.to_point(*route.window.outside(np.array(ahead.cell)))
             straight = ahead.straight * bird_map.cell_size
             way = Way(short_term_goal, straight, route.clearance, bird_map, self._blocked_in_a_row)
-            action: Action | None = self.config.move(base, way)
+            action: Action | None = self.config.stride(base, way) or self.config.move(base, way)
         else:
             short_term_goal = None
             action = self.turn_to_face(bird_map, base, goal)
@@ -262,7 +283,8 @@ class Planner:
         if motion.length > ACTION_LIMITS.forward_step:  # nobody knows where on the way it was blocked
             return
         blocked = BlockedMotion(motion.base, motion.short_term_goal, self._blocked_in_a_row)
-        self.config.collisions.write(bird_map, blocked, self.config.felt_at)
+        if not self.config.spares(bird_map, blocked):
+            self.config.collisions.write(bird_map, blocked, self.config.felt_at)
 
     def give_way(self, bird_map: BirdsEyeMap) -> None:
         """Take note that there is no path on a map."""
