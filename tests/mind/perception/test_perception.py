@@ -1,16 +1,20 @@
 """What perception believes, and what the filters leave of it."""
 
+import json
+from pathlib import Path
+
 import numpy as np
 import pytest
 from worlds.box_world import Box, observe
 
-from uniteam.errors import InvalidInputError, UnknownNameError
+from uniteam.errors import DamagedFileError, InvalidInputError, UnknownNameError
 from uniteam.geometry import BasePose
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.agents.config import BASELINE
-from uniteam.mind.agents.improvements import UNITEAM_THRESHOLDS, improved
+from uniteam.mind.agents.improvements import improved
 from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
 from uniteam.mind.perception.registry import make_perception
+from uniteam.mind.perception.threshold_file import read_thresholds
 from uniteam.mind.perception.truth import visible_truth
 from uniteam.mind.perception.vocabulary import ClassRole, roles_of
 
@@ -82,10 +86,40 @@ def test_class_thresholds_find_a_faint_object_that_one_threshold_misses_and_doub
 
 
 def test_a_threshold_of_a_class_goes_before_that_of_its_role() -> None:
-    thresholds = Thresholds(UNITEAM_THRESHOLDS.by_role, 0.45, {"cup": 0.8})
+    thresholds = Thresholds(read_thresholds().by_role, 0.45, {"cup": 0.8})
     assert thresholds.of("cup", INSTRUCTION) == 0.8
     assert thresholds.of("cup", Instruction("bowl", "table", "bed")) == 0.8
     assert thresholds.of("lamp", INSTRUCTION) == 0.45
+
+
+def test_thresholds_are_read_from_a_file_by_role_and_by_class(tmp_path: Path) -> None:
+    file = tmp_path / "thresholds.json"
+    by_role = {"object": 0.3, "start_receptacle": 0.4, "goal_receptacle": 0.5}
+    file.write_text(json.dumps({"by_role": by_role, "other": 0.6, "by_class": {"spoon": 0.2}}))
+    thresholds = read_thresholds(file)
+    assert [thresholds.of(name, INSTRUCTION) for name in ("cup", "table", "bed", "lamp", "spoon")] == [
+        0.3,
+        0.4,
+        0.5,
+        0.6,
+        0.2,
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("{", "cannot be read"),
+        ("[]", "'by_role'"),
+        ('{"by_role": {"object": 0.3}, "other": 0.4, "by_class": {}}', "goal_receptacle, object, start_receptacle"),
+        ('{"by_role": {"object": 2, "start_receptacle": 0, "goal_receptacle": 0}}', r"'object' a score in \[0, 1\]"),
+    ],
+)
+def test_a_damaged_file_of_thresholds_is_refused_in_a_sentence(tmp_path: Path, text: str, words: str) -> None:
+    file = tmp_path / "thresholds.json"
+    file.write_text(text)
+    with pytest.raises(DamagedFileError, match=words):
+        read_thresholds(file)
 
 
 def test_a_doubtful_first_name_gives_way_to_a_second_that_is_believed() -> None:
@@ -101,7 +135,7 @@ def test_a_doubtful_first_name_gives_way_to_a_second_that_is_believed() -> None:
 def test_a_class_that_is_start_and_goal_has_both_roles_and_the_lower_threshold() -> None:
     same = Instruction("cup", "table", "table")
     assert roles_of(Detection((("table", 1.0),)), same) == (ClassRole.START_RECEPTACLE, ClassRole.GOAL_RECEPTACLE)
-    assert UNITEAM_THRESHOLDS.of("table", same) == 0.45
+    assert read_thresholds().of("table", same) == 0.45
 
 
 def test_floor_filter_drops_what_lies_on_the_floor_and_keeps_what_stands_on_furniture() -> None:

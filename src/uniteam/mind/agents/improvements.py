@@ -57,8 +57,8 @@ from uniteam.mind.navigation.planning.narrow_motion import ExactWhereNarrow, Spa
 from uniteam.mind.navigation.planning.planner import plan_string_pulled, turn_in_steps
 from uniteam.mind.navigation.planning.traversible import OWN_CELLS
 from uniteam.mind.navigation.planning.true_radius import true_radius
-from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
-from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.mind.perception.filters import FloorFilter, ScoreFilter
+from uniteam.mind.perception.threshold_file import read_thresholds
 from uniteam.mind.skills.step_aside import AfterBlockedMotions
 from uniteam.registry import Registry
 from uniteam.stretch import DEPTH_RANGE
@@ -168,19 +168,13 @@ def _replacing(name: str, summary: str, **slots: object) -> Improvement:
     return Improvement(name, summary, Replacement(name, tuple(paths)))
 
 
-UNITEAM_THRESHOLDS = Thresholds(
-    {ClassRole.OBJECT: 0.35, ClassRole.START_RECEPTACLE: 0.45, ClassRole.GOAL_RECEPTACLE: 0.55}, other=0.45
-)
-"""A missed object ends the episode, so little evidence is enough to go and look; a wrong goal receptacle costs it."""
-
-
 def _class_thresholds(config: AgentConfig) -> AgentConfig:
     if any(f not in config.filters for f in BASELINE.filters):
         raise ImprovementError(
             "improvement 'class_thresholds' replaces the baseline's one threshold for all classes, which this "
             "configuration does not have; leave the improvement out"
         )
-    ours = ScoreFilter(UNITEAM_THRESHOLDS)
+    ours = ScoreFilter(read_thresholds())
     return replace(config, filters=tuple(ours if f in BASELINE.filters else f for f in config.filters))
 
 
@@ -199,7 +193,11 @@ def _true_radius(config: AgentConfig) -> AgentConfig:
 
 
 REPORT: tuple[Improvement, ...] = (
-    Improvement("class_thresholds", "a confidence threshold for each kind of class in place of one", _class_thresholds),
+    Improvement(
+        "class_thresholds",
+        "a confidence threshold for each kind of class or single class in place of one",
+        _class_thresholds,
+    ),
     Improvement("floor_filter", "receptacles and objects detected at floor level are dropped", _floor_filter),
     _replacing(
         "goal_or_frontier",
@@ -255,7 +253,7 @@ REPORT: tuple[Improvement, ...] = (
     ),
     _replacing(
         "drop_height",
-        "a large object is released high enough to clear the receptacle",
+        "a large object is released from higher up, so that it clears the receptacle",
         place__release__height_for=ClearSurface(),
     ),
 )

@@ -1,0 +1,51 @@
+"""The thresholds of `class_thresholds`, from a file: by what a class is to the instruction, and by its name.
+
+A missed object ends the episode, so little evidence is enough to go and look; a wrong goal receptacle costs it.
+"""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from uniteam.errors import DamagedFileError
+from uniteam.mind.perception.filters import Thresholds
+from uniteam.mind.perception.vocabulary import ClassRole
+
+THRESHOLD_FILE = Path(__file__).with_name("thresholds.json")
+"""The package's own; `by_class` holds the classes for which a perception has been measured."""
+
+
+def read_thresholds(path: Path = THRESHOLD_FILE) -> Thresholds:
+    """Return the thresholds of a JSON file with "by_role", "other" and "by_class", each a score in [0, 1].
+
+    Raises:
+        DamagedFileError: the file cannot be read as that; the message names the file and the field.
+    """
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise DamagedFileError(
+            f"'{path}' must be a JSON file of thresholds, but cannot be read: {error}; mend or replace it"
+        ) from error
+    fields = data if isinstance(data, dict) else {}
+    names = {role.name.lower() for role in ClassRole}
+    by_role = _scores(path, fields, "by_role")
+    if set(by_role) != names:
+        raise DamagedFileError(
+            f"'{path}' must give 'by_role' for {', '.join(sorted(names))}, got {', '.join(sorted(by_role)) or 'none'}; "
+            "give each of them once"
+        )
+    other = _scores(path, {"other": {"other": fields.get("other")}}, "other")["other"]
+    return Thresholds(
+        {role: by_role[role.name.lower()] for role in ClassRole}, other, _scores(path, fields, "by_class")
+    )
+
+
+def _scores(path: Path, fields: Mapping[str, object], name: str) -> dict[str, float]:
+    values = fields.get(name)
+    if not isinstance(values, dict):
+        raise DamagedFileError(f"'{path}' must have an object '{name}' of scores, got {values!r}; add one")
+    for key, score in values.items():
+        if isinstance(score, bool) or not isinstance(score, int | float) or not 0.0 <= score <= 1.0:
+            raise DamagedFileError(f"'{path}' must give {name} '{key}' a score in [0, 1], got {score!r}; correct it")
+    return {key: float(score) for key, score in values.items()}
