@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 import tyro
+from worlds.filled import filled
 
 import uniteam
 import uniteam.testing
@@ -97,7 +98,7 @@ def test_every_command_line_can_be_given_and_names_what_there_is(line: str) -> N
         return
     parse(words[1], words[2:])
     option = ""
-    for word in words[2:]:
+    for word in filled(words[1:]):
         option = word[2:] if word.startswith("--") else option
         is_name = not word.startswith("--") and ":" not in word and word not in ("NAME", "FILE", "DIR")
         if is_name and option in REGISTRY_OF:
@@ -119,9 +120,9 @@ def python_blocks() -> Iterator[tuple[str, str]]:
 @pytest.mark.slow
 @pytest.mark.parametrize(("page", "block"), list(python_blocks()))
 def test_every_block_of_python_runs(page: str, block: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "runs" / "val-truth-half").mkdir(parents=True)
+    (tmp_path / "runs" / "val-truth-half-challenge").mkdir(parents=True)
     result = EpisodeResult("a", "b", "Move cup", False, Measures(), "DONE", "it fell", 1.0, 1.0)
-    (tmp_path / "runs" / "val-truth-half" / "results.jsonl").write_text(result_to_line("baseline", result))
+    (tmp_path / "runs" / "val-truth-half-challenge" / "results.jsonl").write_text(result_to_line("baseline", result))
     monkeypatch.chdir(tmp_path)
     exec(compile(block, page, "exec"), {"__name__": "shown"})
 
@@ -169,4 +170,4 @@ def test_the_pages_can_be_built(tmp_path: Path) -> None:
     built = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert built.returncode == 0, built.stderr
     pages = [page.read_text() for page in tmp_path.rglob("*.html")]
-    assert not any(re.search(r'<(?:link|script|img)[^>]+(?:href|src)="https?:', page) for page in pages)
+    assert not any(re.search(r'<(?:link|script|img)[^>]+(?:href|src)="https?:', page) for page in filled(pages))

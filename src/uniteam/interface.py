@@ -74,13 +74,12 @@ ACTION_LIMITS = ActionLimits()
 
 
 class DiscreteAction(Enum):
-    """The challenge's discrete actions.
+    """The challenge's discrete actions, which do what they do there.
 
-    `MANIPULATION_MODE` turns the base by 90 degrees to the left, so that the arm points to where the robot faced, if it
-    is not in that mode yet; `NAVIGATION_MODE` folds the arm and turns the base back, which the challenge's does not.
-    `EXTEND_ARM` extends the arm to its limit and leaves the lift where it is, which the challenge's moves too.
-    `SNAP_OBJECT` grasps the nearest object of the asked class that the camera sees within
-    `uniteam.stretch.GRASP_RANGE` of the gripper.
+    `MANIPULATION_MODE` turns the base by 90 degrees to the left, so that the arm points to where the robot faced, and
+    turns the head to the arm; asked twice it turns twice. `NAVIGATION_MODE` folds the arm and turns the head ahead; the
+    base stays as it is. `EXTEND_ARM` brings the lift to 0.8 m and extends the arm to its limit. `SNAP_OBJECT` takes
+    what the run's grasp rule says, within `uniteam.stretch.GRASP_RANGE` of the gripper in the horizontal plane.
     """
 
     STOP = "stop"

@@ -26,7 +26,8 @@ DEPTH_RANGE = 10.0
 """How far the depth camera measures (m); beyond, depth is 0."""
 
 GRASP_RANGE = 0.8
-"""How far from the grasp centre an object's middle may be to be grasped (m), as in the challenge."""
+"""How far from the grasp centre an object's middle may be in the horizontal plane to be grasped (m), as in the
+challenge."""
 
 ARM_SEGMENTS = 4
 """The arm telescopes in four segments that share its extension equally."""

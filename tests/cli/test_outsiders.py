@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from worlds import house_guest
+from worlds.filled import filled
 
 ENTRY_POINTS = """
 [uniteam.agents]
@@ -97,7 +98,8 @@ def test_an_installed_agent_perception_and_improvement_play_in_worker_processes(
     played = results(tmp_path)
     assert {row["agent"] for row in played} == {"spinner", "uniteam with careful"}
     assert [row["measures"]["num_steps"] for row in played if row["agent"] == "spinner"] == [6, 6]
-    assert not any(row["measures"]["pick_object_phase_success"] for row in played if row["agent"] != "spinner")
+    others = filled(row for row in played if row["agent"] != "spinner")
+    assert not any(row["measures"]["pick_object_phase_success"] for row in others)
     assert not any(row["traceback"] for row in played)
 
 
@@ -121,7 +123,7 @@ def test_episodes_in_homes_of_an_installed_source_are_certified_and_played_in_wo
     assert {(row["agent"], row["home"]) for row in played} == {
         (agent, home) for agent in ("oracle", "spinner") for home in ("cabin_7", "cabin_8")
     }
-    assert all(row["measures"]["place_success"] for row in played if row["agent"] == "oracle")
+    assert all(row["measures"]["place_success"] for row in filled(r for r in played if r["agent"] == "oracle"))
 
 
 def test_an_agent_of_the_present_folder_has_its_row_its_film_and_is_taken_up_again(workshop: Path) -> None:
@@ -178,7 +180,7 @@ def test_what_an_agent_does_wrong_is_its_failure(name: str, failure: str, worksh
     done = evaluate(workshop, "--agents", f"my_agent:{name}")
     assert done.returncode == 0
     assert "Crashed and counted as failures: 2." in done.stdout
-    assert all(row["failure"].startswith(failure) and row["traceback"] for row in results(workshop))
+    assert all(row["failure"].startswith(failure) and row["traceback"] for row in filled(results(workshop)))
 
 
 def test_an_agent_that_hangs_runs_out_of_time_and_the_run_goes_on(workshop: Path) -> None:
@@ -208,4 +210,4 @@ def test_an_exception_of_the_simulator_is_no_failure_of_the_agent(workshop: Path
     assert "the simulator failed with AttributeError" in done.stderr
     assert results(workshop) == []
     lost = [json.loads(line) for line in (workshop / "out" / "lost.jsonl").read_text().splitlines()]
-    assert all("Traceback" in entry["traceback"] for entry in lost)
+    assert all("Traceback" in entry["traceback"] for entry in filled(lost))

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from worlds.filled import filled
 
 from uniteam.evaluation.episode_loop import Step, play_episode, result_of_exception
 from uniteam.geometry import BasePose, PinholeCamera
@@ -142,7 +143,7 @@ def test_an_agent_is_asked_to_explain_itself_only_where_someone_looks() -> None:
     steps: list[Step] = []
     play_episode(Corridor(), agent, steps.append)
     assert agent.asked_for == 4
-    assert all(s.explanation.segmentation is not None for s in steps)
+    assert all(s.explanation.segmentation is not None for s in filled(steps))
 
 
 def test_a_crash_is_a_failure_in_every_phase_and_keeps_its_traceback() -> None:

@@ -72,6 +72,7 @@ def test_the_summary_says_what_it_is_from(evaluation: Evaluation) -> None:
         "split": "two",
         "perception": "truth",
         "camera": "half",
+        "grasp": "challenge",
         "version": version("uniteam"),
         "episode_count": 2,
     }
@@ -104,9 +105,16 @@ def test_results_that_are_missing_are_played_again_and_are_the_same(evaluation: 
         assert result.measures == evaluation.store.results["random"][result.episode].measures
 
 
-def test_a_directory_of_another_perception_camera_or_split_is_refused(evaluation: Evaluation) -> None:
+def test_an_unknown_grasp_rule_is_refused(evaluation: Evaluation, tmp_path: Path) -> None:
+    with pytest.raises(UniteamError, match="honest"):
+        Evaluation(replace(evaluation.run, grasp="honst"), tmp_path)
+
+
+def test_a_directory_of_another_perception_camera_grasp_or_split_is_refused(evaluation: Evaluation) -> None:
     with pytest.raises(InvalidInputError, match="camera was half and is now full"):
         Evaluation(replace(evaluation.run, camera="full"), evaluation.store.directory)
+    with pytest.raises(InvalidInputError, match="grasp was challenge and is now honest"):
+        Evaluation(replace(evaluation.run, grasp="honest"), evaluation.store.directory)
     with pytest.raises(InvalidInputError, match="split was two and is now minival"):
         Evaluation(replace(evaluation.run, split="minival"), evaluation.store.directory)
     with pytest.raises(InvalidInputError, match=r"episode_seconds was 3600\.0 and is now 60\.0"):

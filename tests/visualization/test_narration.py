@@ -9,11 +9,13 @@ from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Action, BaseDisplacement, Decision, DiscreteAction, Explanation, Joints, Observation
 from uniteam.visualization.narration import Narrator
 from uniteam.world.simulation.step_events import StepEvents
+from uniteam.world.simulation.touches import Touches
 from uniteam.world.task.measures import Measures
 
 CAMERA = PinholeCamera.from_horizontal_fov(4, 6, 1.0)
 FORWARD, TURN = DiscreteAction.MOVE_FORWARD, DiscreteAction.TURN_LEFT
 UNEVENTFUL, BLOCKED = StepEvents(), StepEvents(blocked=True)
+TOUCHING = StepEvents(touches=Touches(robot_scene="coffee_table_1", obj_scene="wall", robot_obj="cup_2"))
 NO_MEASURES = Measures()
 
 
@@ -57,11 +59,11 @@ def test_turning_on_the_spot_between_does_not_end_being_blocked() -> None:
 
 def test_a_grasp_a_measure_and_a_collision_are_told_when_they_happen() -> None:
     picked = Measures(find_object_phase_success=True, pick_object_phase_success=True)
-    touched = replace(picked, robot_scene_colls=1)
+    touched = replace(picked, robot_scene_colls=1, obj_scene_colls=1, robot_obj_colls=1)
     steps = (
         step(0, TURN),
         step(1, DiscreteAction.SNAP_OBJECT, events=StepEvents(grasped="toy_car_3"), measures=picked),
-        step(2, DiscreteAction.NAVIGATION_MODE, events=StepEvents(hit="coffee_table_1"), measures=touched),
+        step(2, DiscreteAction.NAVIGATION_MODE, events=TOUCHING, measures=touched),
         step(3, DiscreteAction.DESNAP_OBJECT, events=StepEvents(released="toy_car_3"), measures=touched),
     )
     assert told(*steps)[1:] == [
@@ -69,7 +71,9 @@ def test_a_grasp_a_measure_and_a_collision_are_told_when_they_happen() -> None:
         (1, "success", "The gripper has grasped toy car 3."),
         (1, "success", "Measure reached: found object."),
         (1, "success", "Measure reached: picked object."),
-        (2, "trouble", "Arm, gripper or load touched coffee table 1."),
+        (2, "trouble", "Arm or gripper touched coffee table 1."),
+        (2, "trouble", "What the gripper holds touched wall."),
+        (2, "trouble", "Arm or gripper touched cup 2."),
         (3, "action", "desnap object: Because."),
         (3, "success", "The gripper has let go of toy car 3."),
     ]

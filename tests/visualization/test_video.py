@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from worlds.filled import filled
 
 from uniteam.errors import InvalidInputError
 from uniteam.files import UnwritableError
@@ -46,7 +47,7 @@ def test_a_film_plays_back_as_it_was_written(tmp_path: Path) -> None:
     read = frames(path)
     assert len(read) == 6
     assert cv2.VideoCapture(str(path)).get(cv2.CAP_PROP_FPS) == 10
-    for frame, level in zip(read[::2], LEVELS, strict=True):
+    for frame, level in filled(zip(read[::2], LEVELS, strict=True)):
         assert frame[120, 160].astype(int) == pytest.approx([level, 0, 255 - level], abs=12)
     assert os.listdir(path.parent) == ["film.mp4"]  # noqa: PTH208
 

@@ -90,7 +90,6 @@ class ArmWorld:
             self._move(MANIPULATION_POSTURE)
         elif action is DiscreteAction.NAVIGATION_MODE:
             self._move(NAVIGATION_POSTURE)
-            self._drive(BaseDisplacement(heading=-math.pi / 2))
         elif action is DiscreteAction.SNAP_OBJECT:
             self._snap()
         elif action is DiscreteAction.DESNAP_OBJECT:
@@ -133,7 +132,7 @@ class ArmWorld:
             if (
                 box.name == self.target
                 and box.name in seen
-                and np.linalg.norm(middle - self._grasp_centre()) <= GRASP_RANGE
+                and math.dist(middle[:2], self._grasp_centre()[:2]) <= GRASP_RANGE
             ):
                 self.held = box
                 self.boxes = tuple(other for other in self.boxes if other is not box)

@@ -32,6 +32,7 @@ def evaluate(
     episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     camera: Literal["half", "full"] = "half",
+    grasp: Literal["challenge", "honest"] = "challenge",
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
@@ -50,7 +51,9 @@ def evaluate(
         episodes: How many episodes, taken from the homes in turn; all by default.
         workers: How many processes; by default as many as there are cores and memory for.
         camera: Images of 240x320 (half) or of 480x640 (full).
-        out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA by default.
+        grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
+            points at (honest).
+        out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA-GRASP by default.
         with_: Improvements to add to the agents that lack them: names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agents that have them, by name.
         breakdown: Add a row for the seen and one for the unseen object categories.
@@ -65,7 +68,7 @@ def evaluate(
     console = make_console()
     with console.status("reading the split and the models"):
         labelled = label_agents(agents, perception, with_, without)
-        run = Run(split, labelled, perception, camera, episodes, episode_seconds)
+        run = Run(split, labelled, perception, camera, grasp, episodes, episode_seconds)
         opened = Evaluation(run, out or default_directory(run))
     with opened as evaluation:
         lost = play_under_bar(evaluation, _worker_count(workers, len(evaluation.remaining)), console)
@@ -78,7 +81,7 @@ def evaluate(
 
 def default_directory(run: Run) -> Path:
     """Return the directory of a run that names none."""
-    words = (Path(run.split).name.split(".")[0], run.perception.replace(":", "."), run.camera)
+    words = (Path(run.split).name.split(".")[0], run.perception.replace(":", "."), run.camera, run.grasp)
     return Path("runs") / "-".join(words)
 
 
@@ -125,7 +128,7 @@ def _caption(evaluation: Evaluation) -> str:
     episodes = f"{count} episode{'' if count == 1 else 's'}"
     words = (
         f"Percent, steps: mean over 95 % interval. Split {evaluation.split.name}, perception {run.perception}, "
-        f"camera {run.camera}, {episodes}, uniteam {uniteam.__version__}."
+        f"camera {run.camera}, grasp {run.grasp}, {episodes}, uniteam {uniteam.__version__}."
     )
     return shown(words)
 

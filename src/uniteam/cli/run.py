@@ -20,6 +20,7 @@ from uniteam.visualization.film import Film
 from uniteam.visualization.narration import Narrator
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Episode
+from uniteam.world.task.grasp_rules import grasp_rule_named
 from uniteam.world.task.splits import load_split
 
 _STYLES = {"state": "bold", "action": "cyan", "trouble": "red", "success": "green"}
@@ -32,6 +33,7 @@ def run(
     video: Annotated[Path | None, tyro.conf.arg(metavar="FILE.mp4")] = None,
     perception: str = "truth",
     camera: Literal["half", "full"] = "half",
+    grasp: Literal["challenge", "honest"] = "challenge",
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
 ) -> None:
@@ -44,6 +46,8 @@ def run(
         video: An .mp4 file to film it into.
         perception: What the agent sees with: a name, or your own as MODULE:ATTRIBUTE.
         camera: Images of 240x320 (half) or of 480x640 (full).
+        grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
+            points at (honest).
         with_: Improvements to add if the agent lacks them, names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agent, by name.
     """
@@ -53,13 +57,14 @@ def run(
     chosen = _choose(episodes.episodes, episode, split)
     with ExitStack() as stack:
         status = stack.enter_context(console.status("starting (the first time on a machine, compiling)"))
-        environment = Environment(episodes.homes[chosen.home], chosen, camera_named(camera), spec.needs_truth)
+        home, rule = episodes.homes[chosen.home], grasp_rule_named(grasp)
+        environment = Environment(home, chosen, camera_named(camera), spec.needs_truth, rule)
         observers: list[Observer] = [lambda step: status.stop(), Narrator(_speak_to(console))]
         if video is not None:
             stack.push(_teller_of_film(video, console))
             film = stack.enter_context(Film(video, environment, f"{label} · {episodes.name} · episode {episode}"))
             observers.append(film)
-        where = shown(f"({episodes.name}, episode {episode}, {label}, {perception})")
+        where = shown(f"({episodes.name}, episode {episode}, {label}, {perception}, grasp {grasp})")
         console.print(f"[bold]{shown(chosen.instruction)}[/] {where}\n")
         result = play_episode(environment, spec.make(environment), lambda step: _show(step, observers))
         _report(result, console)

@@ -34,6 +34,7 @@ class Run:
         agents: by the label they have in the results.
         perception: the kind of perception that the agents see with.
         camera: "half" or "full".
+        grasp: name of the rule by which the gripper takes objects.
         episode_count: how many episodes to play; None for all of the split.
         episode_seconds: how long an episode may take.
     """
@@ -42,6 +43,7 @@ class Run:
     agents: Mapping[str, AgentSpec]
     perception: str
     camera: str
+    grasp: str = "challenge"
     episode_count: int | None = None
     episode_seconds: float = 3600.0
 
@@ -62,6 +64,7 @@ def resolve(run: Run, split: Split) -> dict[str, Any]:
         "software": software(),
         "perception": run.perception,
         "camera": run.camera,
+        "grasp": run.grasp,
         "episode_seconds": run.episode_seconds,
         "agents": {label: spec.describe() for label, spec in run.agents.items()},
     }

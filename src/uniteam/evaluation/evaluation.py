@@ -15,6 +15,7 @@ from uniteam.evaluation.results.store import ResultStore
 from uniteam.evaluation.results.summary import Summary, summarize
 from uniteam.evaluation.worker import Attempt, PlayerSetup, camera_named
 from uniteam.world.task.episode import Episode
+from uniteam.world.task.grasp_rules import grasp_rule_named
 from uniteam.world.task.splits import load_split
 
 OnResult = Callable[[str, EpisodeResult], None]
@@ -32,6 +33,7 @@ class Evaluation:
                 written, or one that another run writes into.
         """
         camera_named(run.camera)
+        grasp_rule_named(run.grasp)
         self.run = run
         self.split = load_split(run.split)
         ids = {episode.id for episode in self.split.episodes}
@@ -101,7 +103,7 @@ class Evaluation:
 
     def write_summary(self) -> None:
         """Write the figures to `summary.json`; each agent's say what they are from."""
-        names = ("split", "split_digest", "perception", "camera", "version")
+        names = ("split", "split_digest", "perception", "camera", "grasp", "version")
         source = {**{name: self._configuration[name] for name in names}, "episodes_asked": len(self._wanted)}
         self.store.write_summary({agent: {**source, **s.to_data()} for agent, s in self.summaries().items()})
 

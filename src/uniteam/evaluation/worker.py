@@ -23,6 +23,7 @@ from uniteam.mind.agents.registry import AGENTS
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Split
+from uniteam.world.task.grasp_rules import grasp_rule_named
 from uniteam.world.task.splits import load_split
 
 CAMERAS = {"half": HEAD_CAMERA_HALF, "full": HEAD_CAMERA_FULL}
@@ -57,6 +58,7 @@ class EpisodePlayer:
         self._split = split
         self._run = run
         self._camera = camera_named(run.camera)
+        self._grasp = grasp_rule_named(run.grasp)
         self._charging = charging
         self._open = lru_cache(maxsize=1)(self._opened)
 
@@ -92,7 +94,7 @@ class EpisodePlayer:
     def _opened(self, home: str, give_truth: bool) -> Environment:
         """Compile a home, for the first of its episodes; the last one is kept, as a worker stays with its home."""
         first = next(episode for episode in self._split.episodes if episode.home == home)
-        return Environment(self._split.homes[home], first, self._camera, give_truth)
+        return Environment(self._split.homes[home], first, self._camera, give_truth, self._grasp)
 
 
 @dataclass(frozen=True)

@@ -49,8 +49,11 @@ class Narrator:
         for words in new_milestones(before, step.measures):
             self._say(number, "success", f"Measure reached: {words}.")
         if step.measures.robot_scene_colls > before.robot_scene_colls:
-            what = "the scene" if step.events.hit is None else _words(step.events.hit)
-            self._say(number, "trouble", f"Arm, gripper or load touched {what}.")
+            self._say(number, "trouble", f"Arm or gripper touched {_words(step.events.touches.robot_scene)}.")
+        if step.measures.obj_scene_colls > before.obj_scene_colls:
+            self._say(number, "trouble", f"What the gripper holds touched {_words(step.events.touches.obj_scene)}.")
+        if step.measures.robot_obj_colls > before.robot_obj_colls:
+            self._say(number, "trouble", f"Arm or gripper touched {_words(step.events.touches.robot_obj)}.")
 
 
 def _drives(step: Step) -> bool:
@@ -60,5 +63,5 @@ def _drives(step: Step) -> bool:
     )
 
 
-def _words(instance: str) -> str:
-    return instance.replace("_", " ")
+def _words(instance: str | None) -> str:
+    return "something" if instance is None else instance.replace("_", " ")

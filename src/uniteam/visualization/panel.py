@@ -129,7 +129,7 @@ def _draw_milestones(canvas: Image, step: Step, top: int) -> None:
         cv2.circle(canvas, (x + 7, top), 6, SUCCESS if reached else FRAME, cv2.FILLED, cv2.LINE_AA)
         x = write(canvas, words, x + 19, top + 5, TextStyle(14, TEXT if reached else FAINT_TEXT)) + 16
     collisions = step.measures.robot_scene_colls
-    words = f"arm, gripper or load touched the scene in {collisions} steps"
+    words = f"arm or gripper touched the scene in {collisions} steps"
     write(canvas, words, _WORDS.left, top + 34, TextStyle(14, FAILURE if collisions else FAINT_TEXT))
     holding = "holding an object" if step.observation.is_holding else "gripper empty"
     write(canvas, holding, _WORDS.left, top + 60, TextStyle(14, FAINT_TEXT))

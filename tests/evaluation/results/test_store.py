@@ -23,7 +23,7 @@ from uniteam.world.task.measures import Measures
 BASELINE = {"threshold": 0.45, "states": ["PICK", "PLACE"]}
 CONFIGURATION = {"version": "1", "split": "val", "agents": {"baseline": BASELINE}}
 EPISODES = ("val_3", "val_4", "val_5")
-PLACED = Measures(True, True, True, True, robot_scene_colls=2, num_steps=311, does_want_terminate=True)
+PLACED = Measures(True, True, True, True, 2, 311, True, obj_scene_colls=5, robot_obj_colls=7)
 RESULT = EpisodeResult(
     episode="val_3",
     home="home_7",
@@ -87,6 +87,8 @@ def test_a_line_carries_the_measures_under_the_challenges_names() -> None:
         "overall_success": False,
         "partial_success": 0.75,
         "robot_scene_colls": 2,
+        "obj_scene_colls": 5,
+        "robot_obj_colls": 7,
         "num_steps": 311,
         "does_want_terminate": True,
     }

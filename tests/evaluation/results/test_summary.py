@@ -89,6 +89,20 @@ def test_every_terminal_from_40_columns_shows_the_agents_name_and_every_figure(w
         assert word in shown
 
 
+@pytest.mark.parametrize(("width", "is_shown"), [(60, True), (80, False), (109, False), (110, True)])
+def test_the_three_kinds_of_collisions_are_shown_where_there_is_room(width: int, is_shown: bool) -> None:
+    shown = printed("baseline", 3, width)
+    for heading in ("Arm", "Held", "Objects"):
+        assert (heading in shown) is is_shown
+
+
+def test_collisions_of_the_held_object_and_with_small_objects_cost_no_success() -> None:
+    brushed = Measures(True, True, True, True, 0, 200, True, obj_scene_colls=4, robot_obj_colls=2)
+    data = summarize([result(brushed)]).to_data()
+    assert data["overall_success"]["mean"] == 1.0
+    assert (data["obj_scene_colls"]["mean"], data["robot_obj_colls"]["mean"]) == (4.0, 2.0)
+
+
 def test_a_label_is_shown_as_it_is_told_to_be() -> None:
     assert "uniteam[/b]" in printed("uniteam[/b]", 3, 100)
 

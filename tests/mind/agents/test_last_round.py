@@ -5,6 +5,7 @@ import math
 import pytest
 from worlds.arm_world import ArmWorld
 from worlds.box_world import Box, room
+from worlds.filled import filled
 
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Decision, DiscreteAction, Instruction, Observation, Segmentation
@@ -44,7 +45,7 @@ def test_last_round_goes_on_looking_where_others_give_up() -> None:
     given_up = search_an_empty_room(120)
     assert given_up[-1].action is DiscreteAction.STOP
     assert len(given_up) < 80
-    assert all(d.action is not DiscreteAction.STOP for d in search_an_empty_room(120, "last_round"))
+    assert all(d.action is not DiscreteAction.STOP for d in filled(search_an_empty_room(120, "last_round")))
 
 
 @pytest.mark.parametrize("rounds", [0, 3, 6])

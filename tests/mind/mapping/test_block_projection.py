@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from worlds.box_world import Box, observe, room
+from worlds.filled import filled
 
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Instruction
@@ -20,7 +21,7 @@ EXACT_MAP = improved(BASELINE, ["exact_labels"]).map
 
 def seen(boxes: tuple[Box, ...], *bases: BasePose, config: object = BASELINE_MAP) -> BirdsEyeMap:
     bird_map = BirdsEyeMap(config)  # type: ignore[arg-type]
-    for base in bases:
+    for base in filled(bases):
         observation = observe(boxes, base)
         assert observation.truth is not None
         bird_map.update(observation, observation.truth, ROLES)

@@ -4,6 +4,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from worlds.filled import filled
 
 from uniteam.world.generation.furniture.room_floor import RoomFloor, Volume, standing_strip
 from uniteam.world.generation.plan.floor_plan import (
@@ -32,12 +33,11 @@ def planned(seed: int) -> tuple[FloorPlan, tuple[PlannedWall, ...]]:
 def ways(walls: tuple[PlannedWall, ...]) -> list[tuple[int, int]]:
     """Return the pairs of rooms that a door or a passage joins."""
     joined = []
-    for wall in walls:
-        for opening in wall.openings:
-            if opening.kind != "window":
-                below, above = wall.rooms
-                assert below is not None and above is not None, "a door leads outdoors"
-                joined.append((below, above))
+    for wall, opening in filled((each, opening) for each in walls for opening in each.openings):
+        if opening.kind != "window":
+            below, above = wall.rooms
+            assert below is not None and above is not None, "a door leads outdoors"
+            joined.append((below, above))
     return joined
 
 
@@ -56,7 +56,7 @@ def test_a_plan_has_four_to_eight_rooms_of_sixty_to_a_hundred_and_sixty_square_m
     plan = draw_floor_plan(np.random.default_rng(seed))
     assert MIN_ROOM_COUNT <= len(plan) <= MAX_ROOM_COUNT
     assert MIN_FLOOR_AREA <= sum(room.rect.area for room in plan) <= MAX_FLOOR_AREA
-    assert not any(one.rect.overlaps(other.rect) for one, other in combinations(plan, 2))
+    assert not any(one.rect.overlaps(other.rect) for one, other in filled(combinations(plan, 2)))
     assert {"living_room", "kitchen", "bedroom", "bathroom"} <= {room.kind for room in plan}
 
 
@@ -70,17 +70,17 @@ def test_every_room_is_reached_without_crossing_a_bathroom(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_ways_are_at_least_ninety_centimetres_wide_and_inside_their_walls(seed: int) -> None:
-    for wall in planned(seed)[1]:
-        for opening in wall.openings:
-            assert 0 < opening.start < opening.end < wall.length
-            if opening.kind != "window":
-                assert opening.bottom == 0
-                assert opening.end - opening.start >= 90
+    walls = planned(seed)[1]
+    for wall, opening in filled((each, opening) for each in walls for opening in each.openings):
+        assert 0 < opening.start < opening.end < wall.length
+        if opening.kind != "window":
+            assert opening.bottom == 0
+            assert opening.end - opening.start >= 90
 
 
 def test_walls_close_every_room() -> None:
     plan, walls = planned(3)
-    for index, room in enumerate(plan):
+    for index, room in filled(enumerate(plan)):
         around = sum(wall.length for wall in walls if index in wall.rooms)
         assert around == 2 * (room.rect.width + room.rect.depth)
 

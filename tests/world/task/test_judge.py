@@ -1,200 +1,261 @@
-"""The measures, phase by phase, in a home: each is judged where it holds and where it does not."""
+"""The measures, phase by phase, in a room: each is judged on either side of every number that it depends on."""
 
 import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from worlds.judged_scene import (
+    CARRIED,
+    CUP_INDEX,
+    CUP_VIEW,
+    EPISODE,
+    FOUND,
+    ON_THE_TABLE,
+    OTHER_INDEX,
+    PICKED,
+    TABLE_INDEX,
+    TABLE_VIEW,
+    Judged,
+    judged_home,
+)
+from worlds.small_home import TABLE, TABLE_HEIGHT, instance, small_home
 
-from uniteam.geometry import BasePose
+from uniteam.errors import InvalidInputError
+from uniteam.geometry import pose_matrix
 from uniteam.interface import DiscreteAction
-from uniteam.stretch import HEAD_CAMERA_HALF, gripper_to_base
-from uniteam.world.assets.catalogue import load_catalogue
-from uniteam.world.homes.home import Home
-from uniteam.world.oracle.base_stands import manipulation_base
+from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.world.simulation.simulator import Simulator
-from uniteam.world.simulation.step_events import NOTHING
-from uniteam.world.task.episode import Certificate, Episode
+from uniteam.world.simulation.touches import Touches
+from uniteam.world.task.episode import Candidate
 from uniteam.world.task.footprint import distance_to_footprint
-from uniteam.world.task.judge import Judge
+from uniteam.world.task.judge import Judge, lies_on, rests_on
 from uniteam.world.task.measures import Measures
-from uniteam.world.task.splits import load_split
 
-FOUND = Measures(find_object_phase_success=True)
-CARRIED = Measures(
-    find_object_phase_success=True, pick_object_phase_success=True, find_recep_phase_success=True
-)  # fmt: skip
-
-
-class Stage:
-    """An episode's simulator and certificate, and a judge whose measures can be set."""
-
-    def __init__(self) -> None:
-        split = load_split("minival")
-        self.episode: Episode = split.episodes[0]
-        self.home: Home = split.homes[self.episode.home]
-        self.simulator = Simulator(self.home, HEAD_CAMERA_HALF)
-        assert self.episode.certificate is not None
-        self.certificate: Certificate = self.episode.certificate
-
-    def judge(self, measures: Measures) -> Judge:
-        judge = Judge(self.home, self.episode)
-        judge.measures = measures
-        return judge
-
-    def facing(self, stand: tuple[float, float], target: tuple[float, float]) -> BasePose:
-        return BasePose(*stand, math.atan2(target[1] - stand[1], target[0] - stand[0]))
-
-    def put_down(self, x: float, y: float, z: float) -> None:
-        """Let the certified object fall from a point."""
-        self.simulator.reset(self.certificate.grasp)
-        pose = self.simulator.object_pose(self.certificate.object).copy()
-        pose[:3, 3] = (x, y, z)
-        self.simulator.physics.set_pose(self.certificate.object, pose)
+ENOUGH = 77
+"""Pixels: 0.1 % of 240 x 320 are 76.8."""
 
 
 @pytest.fixture(scope="module")
-def stage() -> Stage:
-    return Stage()
+def simulator(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
+    return Simulator(judged_home(tmp_path_factory.mktemp("models")), HEAD_CAMERA_HALF)
 
 
-def _look(stage: Stage, judge: Judge, base: BasePose) -> Measures:
-    stage.simulator.reset(base)
-    judge.update(stage.simulator, NOTHING, stage.simulator.render(), stopped=False)
-    return judge.measures
+@pytest.mark.parametrize(
+    ("away", "pixels", "index", "found"),
+    [
+        (0.08, ENOUGH, CUP_INDEX, True),
+        (0.12, ENOUGH, CUP_INDEX, False),
+        (0.0, ENOUGH - 1, CUP_INDEX, False),
+        (0.0, ENOUGH, OTHER_INDEX, False),
+    ],
+)
+def test_an_object_is_found_at_a_view_point_where_it_covers_a_thousandth_of_the_image(
+    simulator: Simulator, away: float, pixels: int, index: int, found: bool
+) -> None:
+    judged = Judged.begin(simulator, Measures())
+    judged.stand(CUP_VIEW[0], CUP_VIEW[1] + away)
+    assert judged.see(pixels, index).find_object_phase_success is found
 
 
-def _object_views(stage: Stage) -> tuple[tuple[float, float], list[tuple[float, float]]]:
-    """Return where a candidate object lies and its view points at 0.9 to 1.3 m."""
-    name = stage.certificate.object
-    candidate = next(c for c in stage.episode.objects if c.name == name)
-    x, y, _ = stage.home.by_name[name].position
-    views = [p for p in candidate.view_points if 0.9 < math.hypot(p[0] - x, p[1] - y) < 1.3]
-    return (x, y), views
+def test_what_has_been_found_stays_found(simulator: Simulator) -> None:
+    judged = Judged.begin(simulator, Measures())
+    judged.stand(*CUP_VIEW)
+    judged.see(ENOUGH, CUP_INDEX)
+    assert judged.see(0, CUP_INDEX).find_object_phase_success
 
 
-def test_an_object_is_found_from_a_view_point_that_faces_it(stage: Stage) -> None:
-    at, views = _object_views(stage)
-    found = [
-        _look(stage, stage.judge(Measures()), stage.facing(p, at)).find_object_phase_success for p in views[:8]
-    ]  # fmt: skip
-    assert sum(found) >= 0.7 * len(found) > 0
+def _hold(judged: Judged, name: str) -> None:
+    """Put a cup before the arm and have the gripper take it."""
+    x, y, _ = judged.simulator.gripper_to_world()[:3, 3]
+    judged.put(name, float(x), float(y), 0.3)
+    for action in (DiscreteAction.MANIPULATION_MODE, DiscreteAction.SNAP_OBJECT):
+        judged.simulator.apply(action, lambda things: name)
+    assert judged.simulator.held == name
 
 
-def test_an_object_is_not_found_with_the_back_to_it(stage: Stage) -> None:
-    at, views = _object_views(stage)
-    facing = stage.facing(views[0], at)
-    away = replace(facing, heading=facing.heading + math.pi)
-    assert not _look(stage, stage.judge(Measures()), away).find_object_phase_success
+@pytest.mark.parametrize(
+    ("reached", "name", "picked"), [(FOUND, "cup", True), (FOUND, "other_cup", False), (Measures(), "cup", False)]
+)
+def test_a_candidate_that_was_found_is_picked_once_it_is_held(
+    simulator: Simulator, reached: Measures, name: str, picked: bool
+) -> None:
+    judged = Judged.begin(simulator, reached)
+    _hold(judged, name)
+    assert judged.see(0, 0).pick_object_phase_success is picked
 
 
-def test_an_object_is_not_found_away_from_its_view_points(stage: Stage) -> None:
-    at, _ = _object_views(stage)
-    judge = Judge(stage.home, replace(stage.episode, objects=(replace(stage.episode.objects[0], view_points=()),)))
-    candidate = stage.episode.objects[0]
-    assert not _look(stage, judge, stage.facing(candidate.view_points[0], at)).find_object_phase_success
+def test_an_object_that_is_found_while_it_is_held_is_picked_then(simulator: Simulator) -> None:
+    judged = Judged.begin(simulator, Measures())
+    judged.stand(*CUP_VIEW)
+    _hold(judged, "cup")
+    assert not judged.see(0, CUP_INDEX).pick_object_phase_success
+    assert judged.see(ENOUGH, CUP_INDEX).pick_object_phase_success
 
 
-def test_a_grasp_counts_only_for_a_candidate_that_was_found(stage: Stage) -> None:
-    stage.simulator.reset(BasePose(stage.episode.start.x, stage.episode.start.y, 0.0))
-    frame = stage.simulator.render()
-    other = next(i.name for i in stage.home.instances if i.movable and i.category != "" and i.name not in
-                 {c.name for c in stage.episode.objects})  # fmt: skip
-    for measures, grasped, expected in (
-        (FOUND, stage.certificate.object, True),
-        (FOUND, other, False),
-        (Measures(), stage.certificate.object, False),
-    ):
-        judge = stage.judge(measures)
-        judge.update(stage.simulator, replace(NOTHING, grasped=grasped), frame, stopped=False)
-        assert judge.measures.pick_object_phase_success is expected
+@pytest.mark.parametrize(
+    ("reached", "away", "pixels", "found"),
+    [
+        (PICKED, 0.08, ENOUGH, True),
+        (PICKED, 0.12, ENOUGH, False),
+        (PICKED, 0.0, ENOUGH - 1, False),
+        (FOUND, 0.0, ENOUGH, False),
+    ],
+)
+def test_a_receptacle_is_found_in_the_same_way_and_only_after_the_pick(
+    simulator: Simulator, reached: Measures, away: float, pixels: int, found: bool
+) -> None:
+    judged = Judged.begin(simulator, reached)
+    judged.stand(TABLE_VIEW[0], TABLE_VIEW[1] + away)
+    assert judged.see(pixels, TABLE_INDEX).find_recep_phase_success is found
 
 
-def test_a_receptacle_is_found_only_after_the_pick(stage: Stage) -> None:
-    name = stage.certificate.receptacle
-    candidate = next(c for c in stage.episode.goal_receptacles if c.name == name)
-    at = stage.home.by_name[name].position[:2]
-    points = sorted(candidate.view_points, key=lambda p: abs(math.hypot(p[0] - at[0], p[1] - at[1]) - 1.2))
-    base = stage.facing(points[0], at)
-    picked = Measures(find_object_phase_success=True, pick_object_phase_success=True)
-    assert _look(stage, stage.judge(picked), base).find_recep_phase_success
-    assert not _look(stage, stage.judge(FOUND), base).find_recep_phase_success
+def _put_down(simulator: Simulator, reached: Measures = CARRIED) -> Judged:
+    """Let go of the cup on the table, where it lies still after a few steps."""
+    judged = Judged.begin(simulator, reached)
+    judged.put("cup", *ON_THE_TABLE)
+    judged.release()
+    for _ in range(20):
+        simulator.physics.advance(0.032)
+    assert rests_on(simulator, "cup", {"table"})
+    return judged
 
 
-def _released(stage: Stage, measures: Measures, steps: int = 60) -> list[bool]:
-    """Return place_success after the release of the certified object and after each of the steps that follow."""
-    judge = stage.judge(measures)
-    frame = stage.simulator.render()
-    placed = []
-    events = replace(NOTHING, released=stage.certificate.object)
-    for _ in range(steps):
-        judge.update(stage.simulator, events, frame, stopped=False)
-        placed.append(judge.measures.place_success)
-        events = stage.simulator.apply(DiscreteAction.EMPTY_ACTION, "")
-    return placed
+def test_an_object_is_placed_after_it_has_rested_for_fifty_steps_in_a_row(simulator: Simulator) -> None:
+    judged = _put_down(simulator)
+    assert not judged.wait(49).place_success
+    assert judged.wait(1).place_success
 
 
-def _over_the_goal(stage: Stage) -> tuple[float, float, float]:
-    certificate = stage.certificate
-    to_world = manipulation_base(certificate.release).matrix() @ gripper_to_base(certificate.release_joints)
-    x, y, z = to_world[:3, 3]
-    height = load_catalogue()[stage.home.by_name[certificate.object].model].size[2]
-    return float(x), float(y), float(z) - height
+def test_the_fifty_steps_begin_anew_when_the_object_moves(simulator: Simulator) -> None:
+    judged = _put_down(simulator)
+    judged.wait(45)
+    x, y, z = ON_THE_TABLE
+    judged.put("cup", x + 0.1, y, z + 0.05)
+    assert not judged.wait(50).place_success
+    assert judged.wait(40).place_success
 
 
-def test_a_released_object_is_placed_once_it_rests_on_the_goal(stage: Stage) -> None:
-    stage.put_down(*_over_the_goal(stage))
-    placed = _released(stage, CARRIED)
-    assert not placed[0]
-    assert placed[-1]
+def test_what_was_placed_stays_placed(simulator: Simulator) -> None:
+    judged = _put_down(simulator)
+    judged.wait(50)
+    judged.put("cup", 3.5, 3.5, 0.0)
+    assert judged.wait(60).place_success
 
 
-def test_nothing_is_placed_before_the_receptacle_was_found(stage: Stage) -> None:
-    stage.put_down(*_over_the_goal(stage))
-    picked = Measures(find_object_phase_success=True, pick_object_phase_success=True)
-    assert not any(_released(stage, picked))
+def test_nothing_is_placed_before_the_receptacle_was_found(simulator: Simulator) -> None:
+    assert not _put_down(simulator, PICKED).wait(60).place_success
 
 
-def test_an_object_on_the_floor_is_not_placed(stage: Stage) -> None:
-    start = stage.episode.start
-    stage.put_down(start.x, start.y, 0.2)
-    assert not any(_released(stage, CARRIED))
+def test_a_receptacle_that_is_found_while_the_object_rests_on_it_makes_it_placed(simulator: Simulator) -> None:
+    judged = _put_down(simulator, PICKED)
+    judged.wait(60)
+    simulator.apply(DiscreteAction.EMPTY_ACTION, lambda things: None)
+    judged.judge.measures = CARRIED
+    assert judged.wait(1).place_success
 
 
-def test_an_object_that_rolls_off_later_is_not_placed(stage: Stage) -> None:
-    stage.put_down(*_over_the_goal(stage))
-    judge, frame = stage.judge(CARRIED), stage.simulator.render()
-    judge.update(stage.simulator, replace(NOTHING, released=stage.certificate.object), frame, stopped=False)
-    for _ in range(60):
-        judge.update(stage.simulator, stage.simulator.apply(DiscreteAction.EMPTY_ACTION, ""), frame, stopped=False)
-    assert judge.measures.place_success
-    pose = stage.simulator.object_pose(stage.certificate.object).copy()
-    pose[:3, 3] = (stage.episode.start.x, stage.episode.start.y, 0.3)
-    stage.simulator.physics.set_pose(stage.certificate.object, pose)
-    judge.update(stage.simulator, stage.simulator.apply(DiscreteAction.EMPTY_ACTION, ""), frame, stopped=False)
-    assert not judge.measures.place_success
+def test_an_object_that_nobody_let_go_of_is_not_placed(simulator: Simulator) -> None:
+    judged = Judged.begin(simulator)
+    judged.put("cup", *ON_THE_TABLE)
+    assert not judged.wait(80).place_success
 
 
-def test_collisions_and_steps_are_counted_and_cost_the_overall_success(stage: Stage) -> None:
-    judge = stage.judge(replace(CARRIED, place_success=True))
-    assert judge.measures.overall_success
-    stage.simulator.reset(stage.episode.start)
-    frame = stage.simulator.render()
-    for hit in ("wall", None, "table_1"):
-        judge.update(stage.simulator, replace(NOTHING, hit=hit), frame, stopped=False)
-    assert judge.measures.robot_scene_colls == 2
-    assert judge.measures.num_steps == 3
-    assert not judge.measures.overall_success
+def test_a_wrong_object_on_the_goal_is_not_placed(simulator: Simulator) -> None:
+    judged = Judged.begin(simulator)
+    judged.put("other_cup", *ON_THE_TABLE)
+    judged.release("other_cup")
+    assert not judged.wait(80).place_success
 
 
-def test_the_distance_to_furniture_is_that_to_its_turned_rectangle(stage: Stage) -> None:
-    fixed = next(i for i in stage.home.instances if i.name == stage.certificate.receptacle)
-    turned = replace(fixed, position=(1.0, 2.0, 0.0), quaternion=(math.cos(0.4), 0.0, 0.0, math.sin(0.4)))
+def test_nothing_is_placed_as_long_as_the_gripper_holds_something(simulator: Simulator) -> None:
+    judged = Judged.begin(simulator)
+    _hold(judged, "other_cup")
+    judged.put("cup", *ON_THE_TABLE)
+    judged.release()
+    assert not judged.wait(80).place_success
+
+
+def test_an_object_on_the_floor_is_not_placed(simulator: Simulator) -> None:
+    judged = Judged.begin(simulator)
+    judged.put("cup", 3.0, 3.0, 0.0)
+    judged.release()
+    assert not judged.wait(80).place_success
+
+
+@pytest.mark.parametrize(("depth", "lies"), [(0.0085, True), (0.0115, False)])
+def test_what_is_sunk_in_by_more_than_a_centimetre_does_not_lie_on_it(
+    simulator: Simulator, depth: float, lies: bool
+) -> None:
+    judged = Judged.begin(simulator)
+    judged.put("cup", 2.0, 1.0, TABLE_HEIGHT - depth)
+    assert lies_on(simulator.physics.contacts("cup"), {"table"}) is lies
+
+
+@pytest.mark.parametrize(
+    ("name", "x", "y", "height", "lies"),
+    [("low_board", 6.0, 1.0, 0.042, False), ("high_board", 6.0, 3.0, 0.058, True)],
+)
+def test_what_lies_lower_than_five_centimetres_lies_on_nothing(
+    simulator: Simulator, name: str, x: float, y: float, height: float, lies: bool
+) -> None:
+    judged = Judged.begin(simulator)
+    judged.put("cup", x, y, height - 0.001)
+    contacts = simulator.physics.contacts("cup")
+    assert {contact.other for contact in contacts} == {name}
+    assert lies_on(contacts, {name}) is lies
+
+
+def test_a_ball_that_rolls_on_a_table_does_not_rest_on_it(simulator: Simulator) -> None:
+    judged = Judged.begin(simulator)
+    judged.put("ball", *ON_THE_TABLE)
+    state = simulator.physics.save()
+    first = 6 * simulator.physics.names.index("ball")
+    state.data.qvel[first] = 0.2
+    simulator.physics.restore(state)
+    simulator.physics.advance(0.032)
+    assert lies_on(simulator.physics.contacts("ball"), {"table"})
+    assert not rests_on(simulator, "ball", {"table"})
+
+
+def test_steps_that_touch_are_counted_by_their_kind_and_only_the_robot_s_cost_the_success(
+    simulator: Simulator,
+) -> None:
+    judged = Judged.begin(simulator, replace(CARRIED, place_success=True))
+    for touches in (Touches(obj_scene="wall"), Touches(robot_obj="cup"), Touches(robot_obj="cup"), Touches()):
+        judged.touch(touches)
+    assert judged.judge.measures.overall_success
+    measures = judged.touch(Touches("wall", "wall", "cup"))
+    assert (measures.robot_scene_colls, measures.obj_scene_colls, measures.robot_obj_colls) == (1, 2, 3)
+    assert measures.num_steps == 5
+    assert not measures.overall_success
+    assert measures.partial_success == 0.75
+
+
+def test_an_episode_about_what_the_home_lacks_is_refused(simulator: Simulator) -> None:
+    with pytest.raises(InvalidInputError, match="plate"):
+        Judge(simulator.home, replace(EPISODE, objects=(Candidate("plate", (CUP_VIEW,)),)))
+
+
+def test_the_distance_to_furniture_is_that_to_its_turned_rectangle() -> None:
+    turned = instance("table", TABLE, 1.0, 2.0, yaw=0.8)
+    home = small_home(turned)
     to_world = turned.model_to_world()
-    width, depth, _ = load_catalogue()[fixed.model].size
+    width, depth, _ = TABLE.size
     beside = (to_world @ [width / 2 + 0.7, 0.1, 0.0, 1.0])[:2]
     corner = (to_world @ [width / 2 + 0.3, depth / 2 + 0.4, 0.0, 1.0])[:2]
     inside = (to_world @ [0.0, depth / 2 - 0.01, 0.0, 1.0])[:2]
-    assert distance_to_footprint(stage.home, turned, np.array([beside, corner, inside])) == pytest.approx(
-        [0.7, 0.5, 0.0]
+    distances = distance_to_footprint(home, turned, np.array([beside, corner, inside]))
+    assert distances == pytest.approx([0.7, 0.5, 0.0])
+
+
+def test_the_footprint_of_what_has_fallen_over_is_that_of_its_side() -> None:
+    half_turn = math.pi / 4
+    fallen = replace(
+        instance("table", TABLE, 1.0, 2.0), quaternion=(math.cos(half_turn), 0.0, math.sin(half_turn), 0.0)
     )
+    to_world = pose_matrix(np.array(fallen.position), np.array(fallen.quaternion))
+    assert to_world[0, 2] == pytest.approx(1.0)
+    home = small_home(fallen)
+    points = np.array([[1.0 + TABLE.size[2] + 0.4, 2.0], [1.0 + 0.1, 2.0], [0.5, 2.0]])
+    assert distance_to_footprint(home, fallen, points) == pytest.approx([0.4, 0.0, 0.5])

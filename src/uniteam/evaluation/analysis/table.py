@@ -1,6 +1,6 @@
 """The challenge's table, with what its figures are from."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 from rich.table import Table
@@ -17,11 +17,17 @@ PERCENTAGES = {
 }
 """The table's headings and the measures below them, in percent."""
 
+COLLISIONS = {"Arm": "robot_scene_colls", "Held": "obj_scene_colls", "Objects": "robot_obj_colls"}
+"""Headings of the steps in which the arm touched the scene (which costs the success), the held object touched anything,
+and the arm touched small objects; they are shown where there is room."""
+
 STEPS = "Steps"
 EPISODES = "episodes"
 
 WIDE_ENOUGH = 80
 """Columns of a terminal that leave room for an agent's name; in a narrower one the measures are the rows."""
+ROOM_FOR_COLLISIONS = 110
+"""Columns of a terminal in which a wide table shows the collisions too."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +48,10 @@ def challenge_table(rows: Mapping[str, Row], caption: str, width: int, shown: Ca
         shown: makes an agent's label fit to be shown, whatever it contains.
     """
     cells = {shown(agent): _cells(row) for agent, row in rows.items()}
-    return _wide(cells, caption) if width >= WIDE_ENOUGH else _narrow(cells, caption)
+    if width < WIDE_ENOUGH:
+        return _narrow(cells, caption)
+    collisions = COLLISIONS if width >= ROOM_FOR_COLLISIONS else {}
+    return _wide(cells, (*PERCENTAGES, *collisions, STEPS, EPISODES), caption)
 
 
 Cells = dict[str, tuple[str, str]]
@@ -52,6 +61,7 @@ Cells = dict[str, tuple[str, str]]
 def _cells(row: Row) -> Cells:
     summary, asked = row.summary, row.episodes_asked
     cells = {heading: _cell(summary.estimates[name], 100.0) for heading, name in PERCENTAGES.items()}
+    cells |= {heading: _cell(summary.estimates[name], 1.0) for heading, name in COLLISIONS.items()}
     cells[STEPS] = _cell(summary.estimates["num_steps"], 1.0)
     count = summary.episode_count
     crashed = f"[red]{summary.crash_count} crashed[/]" if summary.crash_count else ""
@@ -64,13 +74,14 @@ def _cell(estimate: Estimate, scale: float) -> tuple[str, str]:
     return f"[bold]{estimate.mean * scale:.1f}[/]", f"[dim]{low:.0f}–{high:.0f}[/]"
 
 
-def _wide(rows: Mapping[str, Cells], caption: str) -> Table:
+def _wide(rows: Mapping[str, Cells], headings: Iterable[str], caption: str) -> Table:
     table = Table(caption=caption, caption_justify="left", pad_edge=False)
     table.add_column("agent", overflow="fold")
-    for heading in (*PERCENTAGES, STEPS, EPISODES):
+    shown = tuple(headings)
+    for heading in shown:
         table.add_column(heading, justify="right", no_wrap=True)
     for agent, row in rows.items():
-        table.add_row(f"[bold]{agent}[/]", *("\n".join(filter(None, cell)) for cell in row.values()))
+        table.add_row(f"[bold]{agent}[/]", *("\n".join(filter(None, row[heading])) for heading in shown))
     return table
 
 

@@ -112,6 +112,8 @@ def _measures(data: Any) -> Measures:
         robot_scene_colls=_count(data, "robot_scene_colls"),
         num_steps=_count(data, "num_steps"),
         does_want_terminate=_boolean(data, "does_want_terminate"),
+        obj_scene_colls=_count(data, "obj_scene_colls"),
+        robot_obj_colls=_count(data, "robot_obj_colls"),
     )
     derived = _boolean(data, "overall_success"), _number(data, "partial_success")
     if derived != (measures.overall_success, measures.partial_success):

@@ -21,6 +21,8 @@ PROPORTIONS = (
 MEANS = {
     "partial_success": (0.0, 1.0),
     "robot_scene_colls": (0.0, float(MAXIMUM_STEPS)),
+    "obj_scene_colls": (0.0, float(MAXIMUM_STEPS)),
+    "robot_obj_colls": (0.0, float(MAXIMUM_STEPS)),
     "num_steps": (0.0, float(MAXIMUM_STEPS)),
 }
 """Measures that are numbers, with the bounds that they cannot leave: Student's interval."""

@@ -23,6 +23,7 @@ from uniteam.world.oracle.pilot import Pilot
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Candidate, Certificate, Episode
+from uniteam.world.task.grasp_rules import take_candidate
 from uniteam.world.task.judge import rests_on
 
 GRASP_TRIES = 6
@@ -111,8 +112,8 @@ class Certifier:
 
     def _goes_well(self, plan: Iterator[Action], name: str) -> bool:
         """Do a plan as long as nothing is touched and nothing is in the way."""
-        category = self.home.by_name[name].category
-        events = (self.simulator.apply(action, category) for action in plan)
+        rule = take_candidate(self.home.by_name[name].category, {name})
+        events = (self.simulator.apply(action, rule) for action in plan)
         return not any(event.hit is not None or event.blocked for event in events)
 
     def _comes_to_rest(self, name: str, receptacle: str) -> bool:

@@ -1,8 +1,8 @@
 """Where the base may stand to see an instance: the view points of the challenge, for a home as it is given.
 
-A view point is a point of the lattice on the largest connected part of the navigable floor, within 1.5 m of the
-instance, from where some part of the instance is seen at the height of the head camera. What hides what is decided by
-rays against the collision shapes.
+A view point is a point of the lattice on the largest connected part of the navigable floor, within 1 m of the
+instance's footprint, from where some part of the instance is seen at the height of the head camera. What hides what is
+decided by rays against the collision shapes.
 """
 
 import mujoco
@@ -52,15 +52,10 @@ class Viewpoints:
     def standable(self, instance: Instance, within: float = VIEW_DISTANCE) -> NDArray[np.float64]:
         """Return the (N, 2) lattice points that the robot can drive to, no farther than `within` (m) of an instance."""
         x, y, _ = instance.position
-        reach = within if instance.movable else within + float(np.hypot(*self._home.model_of(instance).size[:2])) / 2
+        reach = within + float(np.linalg.norm(self._home.model_of(instance).size))
         points = lattice_points_near(x, y, reach, reach)
-        points = points[self._distances(instance, points) <= within]
+        points = points[distance_to_footprint(self._home, instance, points) <= within]
         return points[self._are_standable(points)]
-
-    def _distances(self, instance: Instance, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        if instance.movable:
-            return np.asarray(np.linalg.norm(points - instance.position[:2], axis=1))
-        return distance_to_footprint(self._home, instance, points)
 
     def _are_standable(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         cells = np.array([self._floor.to_cell(*point) for point in points]).reshape(-1, 2)

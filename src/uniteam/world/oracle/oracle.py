@@ -19,7 +19,7 @@ from uniteam.world.task.episode import Candidate, Certificate, Episode
 LOOKING_DISTANCE = 1.1
 """From which (m) things of every height are well inside the head camera's view."""
 MOST_LOOKS = 6
-MOST_WAITING = 60
+MOST_WAITING = 150
 
 
 class Oracle:

@@ -20,10 +20,12 @@ from uniteam.geometry import Point3, pose_matrix
 from uniteam.world.homes.home import Home
 from uniteam.world.physics.physics_model import TIMESTEP, HomeModel, compile_home
 
-REST_STEPS = 50
+SETTLED_STEPS = 50
 """A body is at rest when it has been slow for so many physics steps, or sleeps."""
 REST_LINEAR_SPEED = 0.005
+"""m/s."""
 REST_ANGULAR_SPEED = 0.05
+"""rad/s."""
 
 _SHELF_HEIGHT = 50.0
 _SLEEP = int(mujoco.mjtEnableBit.mjENBL_SLEEP)
@@ -124,7 +126,12 @@ class Physics:
         k = self._number(name)
         if self._is_disturbed:
             return False
-        return bool(self._slow_steps[k] >= REST_STEPS or not self._data.tree_awake[k])
+        return bool(self._slow_steps[k] >= SETTLED_STEPS or not self._data.tree_awake[k])
+
+    def is_still(self, name: str) -> bool:
+        """Return whether a body sleeps, or was slower than 5 mm/s and 0.05 rad/s after the last physics step."""
+        k = self._number(name)
+        return not self._is_disturbed and bool(self._slow_steps[k] > 0 or not self._data.tree_awake[k])
 
     def contacts(self, name: str) -> tuple[Contact, ...]:
         """Return where a body touches others, walls or the floor now."""

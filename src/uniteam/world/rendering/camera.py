@@ -24,10 +24,10 @@ def render(scene: Scene, camera: PinholeCamera, camera_to_world: NDArray[np.floa
     """
     if camera_to_world.shape != (4, 4):
         raise InvalidInputError(f"a camera's pose must be a (4, 4) transform, got {camera_to_world.shape}")
-    buffers = scene.buffers()
     shape = (camera.height, camera.width)
-    workspace = scene.workspace(*shape)
-    rasterise(buffers, _projection(camera, camera_to_world), workspace)
+    projection = _projection(camera, camera_to_world)
+    buffers, workspace = scene.buffers_in_view(projection, *shape), scene.workspace(*shape)
+    rasterise(buffers, projection, workspace)
     frame = Frame(np.empty((*shape, 3), np.uint8), np.empty(shape, np.float32), np.empty(shape, np.int16))
     shade(buffers, _rays(camera, camera_to_world), workspace, frame.rgb, frame.depth, frame.instances)
     return frame

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.world.assets.mesh import Mesh
 from uniteam.world.homes.home import Home
+from uniteam.world.rendering.kernels.culling import may_be_seen, screen_bounds
 from uniteam.world.rendering.kernels.lighting import RoomLight, outdoor_light, pose_part, room_light
 from uniteam.world.rendering.kernels.scene_buffers import SceneBuffers, Workspace
 from uniteam.world.rendering.kernels.texture_atlas import AtlasBuilder, MipCache
@@ -69,6 +70,9 @@ class Scene:
         self._poses = np.tile(np.eye(4), (len(entries), 1, 1))
         self._stale: set[int] = set()
         self._workspaces: dict[tuple[int, int], Workspace] = {}
+        self._corners = [_corners(mesh) for mesh in self._meshes]
+        for index in range(len(entries)):
+            self._place_box(index)
         for index, part in enumerate(stage):
             self._pose_part(index, self._outdoors if part.room is None else self._lights[part.room])
         for instance in home.instances:
@@ -86,6 +90,7 @@ class Scene:
             raise InvalidInputError(f"the pose of '{name}' must be a (4, 4) transform, got {to_world.shape}")
         for index in self._indices(name):
             self._poses[index] = to_world
+            self._place_box(index)
             self._stale.add(index)
 
     def show(self, name: str, visible: bool) -> None:
@@ -101,11 +106,31 @@ class Scene:
         return self._poses[self._indices(name)[0]].copy()
 
     def buffers(self) -> SceneBuffers:
-        """Return the arrays, with every part where it was last moved to."""
-        for index in sorted(self._stale):
-            if self._buffers.part_visible[index]:
-                self._pose_part(index, self._light_at(index))
-                self._stale.discard(index)
+        """Return the arrays, with every part that is shown where it was last moved to."""
+        return self._brought_up_to_date(self._buffers.part_visible)
+
+    def buffers_in_view(self, projection: NDArray[np.float32], height: int, width: int) -> SceneBuffers:
+        """Return the arrays, with every part that may be in a picture where it was last moved to.
+
+        The robot moves in nearly every frame, and its own camera sees little of it.
+
+        Args:
+            projection: (3, 4) from the world to pixel coordinates times depth.
+            height, width: of the picture.
+        """
+        if not self._stale:
+            return self._buffers
+        may_be = screen_bounds(self._buffers, projection, width, height)[:, 4] >= 0.0
+        for index in self._stale:
+            if may_be[index]:
+                mesh, from_model = self._meshes[index], _after(projection, self._poses[index])
+                may_be[index] = may_be_seen(mesh.vertices, mesh.triangles, from_model, width, height)
+        return self._brought_up_to_date(may_be)
+
+    def _brought_up_to_date(self, is_wanted: NDArray[np.bool_]) -> SceneBuffers:
+        for index in sorted(index for index in self._stale if is_wanted[index]):
+            self._pose_part(index, self._light_at(index))
+            self._stale.discard(index)
         return self._buffers
 
     def workspace(self, height: int, width: int) -> Workspace:
@@ -138,7 +163,17 @@ class Scene:
             buffers.light[first:last] = 1.0
         else:
             buffers.part_tints[index] = light.tint
-        buffers.part_boxes[index] = _corners(mesh) @ pose[:3, :3].T + pose[:3, 3]
+
+    def _place_box(self, index: int) -> None:
+        pose = self._poses[index]
+        self._buffers.part_boxes[index] = self._corners[index] @ pose[:3, :3].T + pose[:3, 3]
+
+
+def _after(projection: NDArray[np.float32], pose: Transform) -> NDArray[np.float32]:
+    """Return the (3, 4) projection of what stands at a pose."""
+    moved = projection[:, :3].astype(np.float64) @ pose[:3]
+    moved[:, 3] += projection[:, 3]
+    return moved.astype(np.float32)
 
 
 def _stage_entries(stage: tuple[StagePart, ...]) -> list[_Part]:

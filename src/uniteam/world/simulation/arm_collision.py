@@ -19,9 +19,13 @@ from uniteam.world.physics.arm_shapes import ARM_BOXES
 from uniteam.world.physics.physics import Physics
 from uniteam.world.simulation.held_object import HeldObject
 from uniteam.world.simulation.robot_state import RobotState
+from uniteam.world.simulation.touches import Touches
 
 TOUCH_DEPTH = 0.005
 """A contact counts as a collision when it is deeper than this (m)."""
+
+_ROBOT_SCENE, _OBJ_SCENE, _ROBOT_OBJ = range(3)
+"""The kinds of collisions, as `Touches` has them."""
 
 
 class ArmCollider:
@@ -36,12 +40,13 @@ class ArmCollider:
         self._geom_to_body = _geom_frames(self._model.mujoco)
         is_thing = ~np.isin(np.arange(len(self._owners)), self._model.arm)
         self._things = np.flatnonzero(is_thing)
+        self._is_small = self._bodies > 0
         self._low, self._high = self._model.low.copy(), self._model.high.copy()
         self._version = -1
         self._gripped: str | None = None
 
-    def first_hit(self, path: Sequence[RobotState], held: HeldObject | None) -> str | None:
-        """Return what the arm or the held object meets along a path: an instance's name, "wall", "floor" or None.
+    def touches(self, path: Sequence[RobotState], held: HeldObject | None) -> Touches:
+        """Return what the arm and the held object meet along a path, the first thing of each kind.
 
         What the gripper has let go of is no part of the scene until it is clear of the fingers.
         """
@@ -52,11 +57,19 @@ class ArmCollider:
         near = _overlap(low[:, :, None], high[:, :, None], self._low[things], self._high[things])
         self._gripped = self._still_gripped(near[0], things, held)
         near[:, :, self._owners[things] == self._gripped] = False
+        kinds, first = self._kinds(len(geoms), things), dict[int, str]()
         for sample in np.flatnonzero(near.any(axis=(1, 2))):
-            poses = to_world[sample] @ self._geom_to_body[geoms]
-            for thing in self._met(geoms, poses, things, near[sample]):
-                return str(self._owners[thing])
-        return None
+            open_pairs = near[sample] & ~np.isin(kinds, list(first))
+            for mover, thing in self._met(geoms, to_world[sample], things, open_pairs):
+                first.setdefault(int(kinds[mover, thing]), str(self._owners[things[thing]]))
+        return Touches(*(first.get(kind) for kind in (_ROBOT_SCENE, _OBJ_SCENE, _ROBOT_OBJ)))
+
+    def _kinds(self, count: int, things: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Return the kind of collision that each of `count` moving geoms would have with each thing, (count, T)."""
+        kinds = np.full((count, len(things)), _ROBOT_SCENE)
+        kinds[:, self._is_small[things]] = _ROBOT_OBJ
+        kinds[len(self._model.arm) :] = _OBJ_SCENE
+        return kinds
 
     def _still_gripped(self, near: NDArray[np.bool_], things: NDArray[np.int64], held: HeldObject | None) -> str | None:
         """Return what is held, or was and is still between the fingers; near is (B, T), whether boxes meet."""
@@ -89,16 +102,23 @@ class ArmCollider:
             self._low[geoms], self._high[geoms] = _boxes(poses, self._model.low[geoms], self._model.high[geoms])
 
     def _met(
-        self, geoms: NDArray[np.int64], poses: NDArray[np.float64], things: NDArray[np.int64], near: NDArray[np.bool_]
-    ) -> Iterator[int]:
-        """Yield each thing that a moving geom meets deeper than a touch; near is (B, T), whether their boxes meet."""
+        self,
+        geoms: NDArray[np.int64],
+        to_world: NDArray[np.float64],
+        things: NDArray[np.int64],
+        near: NDArray[np.bool_],
+    ) -> Iterator[tuple[int, int]]:
+        """Yield the pairs, of those marked in near (B, T), of a moving geom and a thing deeper in it than a touch."""
+        if not near.any():
+            return
+        poses = to_world @ self._geom_to_body[geoms]
         data = self._physics.still_data()
         data.geom_xpos[geoms] = poses[:, :3, 3]
         data.geom_xmat[geoms] = poses[:, :3, :3].reshape(-1, 9)
         for mover, thing in zip(*np.nonzero(near), strict=True):
             pair = int(geoms[mover]), int(things[thing])
             if mujoco.mj_geomDistance(self._model.mujoco, data, *pair, 0.0, None) < -TOUCH_DEPTH:
-                yield pair[1]
+                yield int(mover), int(thing)
 
 
 def _geom_frames(model: Any) -> NDArray[np.float64]:

@@ -1,19 +1,26 @@
 """Grasping and letting go: the challenge's "magic snap".
 
-The gripper takes the nearest object of the class it is asked for, among those that the head camera sees and whose
-middle is within its range; nothing is grasped otherwise. What it lets go of falls from where it hung.
+What is grasped is in the gripper at once, from wherever it lay; which object that is, a grasp rule says. What the
+gripper lets go of falls from where it hung.
 """
+
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import invert_transform, transform_points
-from uniteam.stretch import GRASP_RANGE, gripper_to_base
+from uniteam.stretch import gripper_to_base
 from uniteam.world.homes.home import Home
 from uniteam.world.physics.collision_shapes import model_vertices
 from uniteam.world.physics.physics import Physics
+from uniteam.world.simulation.graspable import Graspable, GraspRule
 from uniteam.world.simulation.held_object import HeldObject, hang
 from uniteam.world.simulation.robot_state import RobotState
+
+CENTRE_SHARE = 0.25
+"""Of the image's width and height: the window around its middle in which lies what the camera points at. Half of it is
+5 degrees, 8 cm on a table before the arm."""
 
 
 class Gripper:
@@ -30,14 +37,17 @@ class Gripper:
         self._vertices = {i.name: model_vertices(home.model_of(i).shapes) for i in home.instances if i.movable}
         self.held: HeldObject | None = None
 
-    def grasp(self, category: str, in_view: NDArray[np.integer], state: RobotState) -> str | None:
-        """Take the nearest object of a category; in_view has the indices of the home's instances that are seen."""
-        if self.held is not None:
+    def snap(self, rule: GraspRule, instances: NDArray[np.integer], state: RobotState) -> str | None:
+        """Take the object that a rule names and say which; a full gripper takes nothing.
+
+        Args:
+            rule: which object to take.
+            instances: (H, W) what the head camera sees, as indices of the home's instances.
+            state: of the robot.
+        """
+        name = None if self.held is not None else rule(tuple(self._graspable(instances, state)))
+        if name is None:
             return None
-        nearest = min(self._graspable(category, in_view, state), default=None)
-        if nearest is None:
-            return None
-        name = nearest[1]
         object_to_base = invert_transform(state.base.matrix()) @ self._physics.pose(name)
         self.held = hang(name, self._vertices[name], object_to_base)
         self._physics.remove(name)
@@ -58,14 +68,24 @@ class Gripper:
             return {}
         return {self.held.name: state.base.matrix() @ self.held.to_base(gripper_to_base(state.joints))}
 
-    def _graspable(self, category: str, in_view: NDArray[np.integer], state: RobotState) -> list[tuple[float, str]]:
-        """Return the distance (m) and the name of every object that could be grasped."""
-        grasp_centre = (state.base.matrix() @ gripper_to_base(state.joints))[:3, 3]
-        seen = (self._home.instances[k] for k in in_view if k >= 0)
-        names = (i.name for i in seen if i.movable and i.category == category)
-        distances = ((float(np.linalg.norm(self._middle(name) - grasp_centre)), name) for name in names)
-        return [(distance, name) for distance, name in distances if distance <= GRASP_RANGE]
+    def _graspable(self, instances: NDArray[np.integer], state: RobotState) -> Iterator[Graspable]:
+        in_view, in_centre = set(np.unique(instances)), set(np.unique(_centre(instances)))
+        x, y = (state.base.matrix() @ gripper_to_base(state.joints))[:2, 3]
+        for index, instance in enumerate(self._home.instances):
+            if instance.movable:
+                middle = self._middle(instance.name)
+                distance = float(np.hypot(middle[0] - x, middle[1] - y))
+                yield Graspable(instance.name, instance.category, distance, index in in_view, index in in_centre)
 
     def _middle(self, name: str) -> NDArray[np.float64]:
         points = transform_points(self._physics.pose(name), self._vertices[name])
         return np.asarray((points.min(axis=0) + points.max(axis=0)) / 2)
+
+
+def _centre(image: NDArray[np.integer]) -> NDArray[np.integer]:
+    """Return the window in the middle of an (H, W) image."""
+    spans = []
+    for size in image.shape:
+        half = CENTRE_SHARE * size / 2
+        spans.append(slice(round(size / 2 - half), round(size / 2 + half)))
+    return image[spans[0], spans[1]]

@@ -1,8 +1,8 @@
 """A home with a robot that acts in it.
 
 The base is a cylinder: what would bring it into anything is not done, and it does not slide along. The arm, the wrist,
-the gripper and what it holds are moved as asked, and whatever they meet on the way counts as a collision. Objects move
-only when they fall.
+the gripper and what it holds are moved as asked, and whatever they meet on the way counts as a collision (HomeRobot
+puts the joints where they are asked to be and looks there only). Objects move only when they fall.
 """
 
 from collections.abc import Callable, Mapping
@@ -26,6 +26,7 @@ from uniteam.world.physics.navigable_floor import NavigableFloor
 from uniteam.world.physics.physics import Physics
 from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.simulation.arm_collision import ArmCollider
+from uniteam.world.simulation.graspable import GraspRule
 from uniteam.world.simulation.gripper import Gripper
 from uniteam.world.simulation.home_view import HomeView
 from uniteam.world.simulation.robot_state import (
@@ -42,6 +43,8 @@ STEP_SECONDS = 0.032
 """How much time passes in a step (s): the challenge's 30 steps a second, in whole physics steps."""
 QUARTER_TURN = np.pi / 2
 """By how much the base turns for the arm to point to where it faced (rad)."""
+EXTENDED_LIFT = 0.8
+"""To which `EXTEND_ARM` brings the lift (m), as HomeRobot does."""
 
 
 class Simulator:
@@ -71,7 +74,6 @@ class Simulator:
         """Put every object back and the robot at a pose (world), in its navigation posture with an empty gripper."""
         self.physics.restore(self._at_first)
         self._state = RobotState(base, NAVIGATION_POSTURE)
-        self._is_manipulating = False
         self._gripper.held = None
         self._frame: Frame | None = None
 
@@ -115,15 +117,15 @@ class Simulator:
         """Return the (H, W, 3) picture of the robot from above, without the ceiling."""
         return self._view.from_above(self._state, (width, height), self._gripper.hanging(self._state))
 
-    def apply(self, action: Action, target_category: str) -> StepEvents:
+    def apply(self, action: Action, rule: GraspRule) -> StepEvents:
         """Do an action and let time pass.
 
         Args:
             action: what to do.
-            target_category: the class of objects that the gripper grasps.
+            rule: which object the gripper takes when it snaps.
         """
         before = self._state
-        events = self._do(action, target_category)
+        events = self._do(action, rule)
         with section("physics"):
             if self._state is before:
                 events = events.then(self._touch())
@@ -131,10 +133,9 @@ class Simulator:
         self._frame = None
         return events
 
-    def _do(self, action: Action, target_category: str) -> StepEvents:
+    def _do(self, action: Action, rule: GraspRule) -> StepEvents:
         if action is DiscreteAction.SNAP_OBJECT:
-            in_view = np.unique(self.render().instances)
-            return StepEvents(grasped=self._gripper.grasp(target_category, in_view, self._state))
+            return StepEvents(grasped=self._gripper.snap(rule, self.render().instances, self._state))
         if isinstance(action, DiscreteAction):
             return _DISCRETE[action](self)
         if isinstance(action, BaseDisplacement):
@@ -155,22 +156,15 @@ class Simulator:
     def _pose(self, joints: Joints) -> StepEvents:
         return self._go(with_joints(self._state, joints), 0.0)
 
-    def _navigation_mode(self) -> StepEvents:
-        """Fold the arm, and turn back if the robot was manipulating."""
-        events = self._pose(NAVIGATION_POSTURE)
-        if not self._is_manipulating:
-            return events
-        self._is_manipulating = False
-        return events.then(self._displace(BaseDisplacement(heading=-QUARTER_TURN)))
-
     def _manipulation_mode(self) -> StepEvents:
-        """Turn the arm to where the robot faced, if it did not yet, and look along it."""
-        turn = NOTHING if self._is_manipulating else self._displace(BaseDisplacement(heading=QUARTER_TURN))
-        self._is_manipulating = True
+        """Turn the arm to where the robot faces, and look along it."""
+        turn = self._displace(BaseDisplacement(heading=QUARTER_TURN))
         return turn.then(self._pose(MANIPULATION_POSTURE))
 
     def _extend_arm(self) -> StepEvents:
-        return self._pose(replace(self.joints, arm=JOINT_LIMITS[1].arm))
+        """Bring the lift to its height, then the arm to its limit."""
+        lifted = self._pose(replace(self.joints, lift=EXTENDED_LIFT))
+        return lifted.then(self._pose(replace(self.joints, arm=JOINT_LIMITS[1].arm)))
 
     def _release(self) -> StepEvents:
         return StepEvents(released=self._gripper.release(self._state))
@@ -180,13 +174,13 @@ class Simulator:
         held = self._gripper.held
         with section("physics"):
             path = tuple(samples(self._state, end, turn, 0.0 if held is None else held.radius))
-            hit = self._collider.first_hit(path, held)
+            touches = self._collider.touches(path, held)
         self._state = end
-        return StepEvents(hit=hit)
+        return StepEvents(touches=touches)
 
     def _touch(self) -> StepEvents:
         """Say what the robot touches where it stands."""
-        return StepEvents(hit=self._collider.first_hit((self._state,), self._gripper.held))
+        return StepEvents(touches=self._collider.touches((self._state,), self._gripper.held))
 
 
 _DISCRETE: Mapping[DiscreteAction, Callable[[Simulator], StepEvents]] = {
@@ -197,7 +191,7 @@ _DISCRETE: Mapping[DiscreteAction, Callable[[Simulator], StepEvents]] = {
     DiscreteAction.TURN_RIGHT: lambda simulator: simulator._displace(
         BaseDisplacement(heading=-ACTION_LIMITS.turn_step)
     ),
-    DiscreteAction.NAVIGATION_MODE: Simulator._navigation_mode,
+    DiscreteAction.NAVIGATION_MODE: lambda simulator: simulator._pose(NAVIGATION_POSTURE),
     DiscreteAction.MANIPULATION_MODE: Simulator._manipulation_mode,
     DiscreteAction.EXTEND_ARM: Simulator._extend_arm,
     DiscreteAction.DESNAP_OBJECT: Simulator._release,

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from uniteam.world.simulation.touches import NO_TOUCH, Touches
+
 
 @dataclass(frozen=True)
 class StepEvents:
@@ -9,22 +11,26 @@ class StepEvents:
 
     Attributes:
         blocked: whether the base stayed because something was in its way.
-        hit: what the arm, the gripper or the held object met first: an instance's name, "wall", "floor" or
-            None.
+        touches: what the arm, the gripper and the held object met.
         grasped: the instance that was grasped, or None.
         released: the instance that was released, or None.
     """
 
     blocked: bool = False
-    hit: str | None = None
+    touches: Touches = NO_TOUCH
     grasped: str | None = None
     released: str | None = None
+
+    @property
+    def hit(self) -> str | None:
+        """What the arm, the gripper or the held object met, be it ever so small; None where they met nothing."""
+        return self.touches.first
 
     def then(self, later: "StepEvents") -> "StepEvents":
         """Return what came of two things that were done one after the other."""
         return StepEvents(
             self.blocked or later.blocked,
-            self.hit or later.hit,
+            self.touches.then(later.touches),
             self.grasped or later.grasped,
             self.released or later.released,
         )

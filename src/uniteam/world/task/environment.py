@@ -1,13 +1,12 @@
 """Playing episodes in one home: actions in, observations out, and the measures kept apart from what the agent sees."""
 
-from collections.abc import Callable
 from typing import Any, NoReturn
 
 from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import PinholeCamera, invert_transform
-from uniteam.interface import Action, Detection, DiscreteAction, Observation, Segmentation
+from uniteam.interface import Action, DiscreteAction, Observation
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.world.homes.home import Home
 from uniteam.world.rendering.kernels.frame import Frame
@@ -16,8 +15,10 @@ from uniteam.world.simulation.step_events import NOTHING, StepEvents
 from uniteam.world.task.check_action import checked_action
 from uniteam.world.task.check_episode import episode_problems
 from uniteam.world.task.episode import MAXIMUM_STEPS, Episode
+from uniteam.world.task.grasp_rules import EpisodeGraspRule, challenge
 from uniteam.world.task.judge import Judge
 from uniteam.world.task.measures import Measures
+from uniteam.world.task.visible_truth import truth_maker
 
 
 class Environment:
@@ -34,7 +35,12 @@ class Environment:
     """
 
     def __init__(
-        self, home: Home, episode: Episode, camera: PinholeCamera = HEAD_CAMERA_HALF, give_truth: bool = False
+        self,
+        home: Home,
+        episode: Episode,
+        camera: PinholeCamera = HEAD_CAMERA_HALF,
+        give_truth: bool = False,
+        grasp: EpisodeGraspRule = challenge,
     ) -> None:
         """Compile the home, for its first episode.
 
@@ -43,6 +49,7 @@ class Environment:
             episode: what is asked.
             camera: the head camera's intrinsics.
             give_truth: whether observations carry the simulator's own segmentation.
+            grasp: which object the gripper takes when it snaps.
 
         Raises:
             InvalidInputError: the episode cannot be played in this home.
@@ -51,7 +58,8 @@ class Environment:
         self.home = home
         self.camera = camera
         self.simulator = Simulator(home, camera)
-        self._truth_of = _truth_maker(home) if give_truth else _no_truth
+        self._truth_of = truth_maker(home) if give_truth else _no_truth
+        self._grasp = grasp
         self._take(episode)
 
     def __reduce__(self) -> NoReturn:
@@ -88,7 +96,7 @@ class Environment:
             raise InvalidInputError(
                 f"episode '{self.episode.id}' is over after {self.measures.num_steps} steps; call reset() to play again"
             )
-        self.events: StepEvents = self.simulator.apply(wanted, self.episode.instruction.object_category)
+        self.events: StepEvents = self.simulator.apply(wanted, self._grasp_rule)
         frame = self.simulator.render()
         self._judge.update(self.simulator, self.events, frame, stopped=wanted is DiscreteAction.STOP)
         return self._observation(frame)
@@ -115,6 +123,7 @@ class Environment:
         self._has_begun = False
         self.simulator.reset(episode.start)
         self._judge = Judge(self.home, episode)
+        self._grasp_rule = self._grasp(episode)
         self._to_start = invert_transform(self.simulator.base.matrix())
         self._start_inverse = self.simulator.base.inverse()
 
@@ -137,12 +146,6 @@ def _check(episode: Episode, home: Home) -> None:
     problem = next(episode_problems(episode, home), None)
     if problem is not None:
         raise InvalidInputError(f"episode '{episode.id}' cannot be played: {problem}")
-
-
-def _truth_maker(home: Home) -> Callable[[Frame], Segmentation | None]:
-    """Return the function from a frame to its segmentation: every instance by its category's name, score 1."""
-    detections = tuple(Detection(((instance.category, 1.0),)) for instance in home.instances)
-    return lambda frame: Segmentation(_locked(frame.instances.copy()), detections)
 
 
 def _no_truth(frame: Frame) -> None:

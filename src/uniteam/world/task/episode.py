@@ -22,7 +22,8 @@ class Candidate:
 
     Attributes:
         name: of the instance in the home.
-        view_points: (x, y) on the floor (m, world); reachable, within 1.5 m of the instance, and it is seen from there.
+        view_points: (x, y) on the floor (m, world); reachable, within 1 m of the instance's footprint, and it is seen
+            from there.
     """
 
     name: str

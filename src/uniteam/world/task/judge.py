@@ -1,39 +1,51 @@
 """Keeping the challenge's measures: what a step of the simulator came to.
 
-The measures are those of the challenge's evaluator (HomeRobot, arXiv 2306.11565): a phase counts once the phases
-before it do; placing is judged anew after every step, so that an object that rolls off later is not placed.
+The measures are those of the challenge's evaluator (HomeRobot, arXiv 2306.11565; habitat-lab's OVMM branch): a phase
+counts once the phases before it do, and what has been reached is not lost again. The steps for which an agent waits
+until the object has lain still long enough are steps like others; it may stop as soon as they are over.
 """
 
-from collections.abc import Callable, Set
+from collections.abc import Iterable, Set
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import BasePose
 from uniteam.world.homes.home import Home
+from uniteam.world.physics.physics import Contact
 from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.episode import Candidate, Episode
-from uniteam.world.task.footprint import VIEW_DISTANCE, distance_to_footprint
 from uniteam.world.task.measures import Measures
 
 VIEW_POINT_TOLERANCE = 0.1
+"""How near to a view point the base stands at it (m)."""
 VIEW_COVERAGE = 0.001
+"""Share of the image that must show what is found."""
 LOWEST_CONTACT = 0.05
+"""Height above the floor of a point at which an object can lie on furniture (m)."""
 DEEPEST_CONTACT = 0.01
-
-DistanceTo = Callable[[str, BasePose], float]
+"""How far what lies on furniture may be sunk in it (m)."""
+REST_STEPS = 50
+"""Steps in a row for which an object must lie on a goal receptacle."""
 
 
 @dataclass(frozen=True)
 class _Viewable:
     """A candidate as the judge looks for it: its index in the frame's instances and its view points (N, 2)."""
 
-    name: str
     index: int
-    view_points: np.ndarray
+    view_points: NDArray[np.float64]
+
+    def is_found(self, base: BasePose, frame: Frame) -> bool:
+        """Return whether the base stands at a view point, with enough of it in the frame."""
+        distances = np.hypot(self.view_points[:, 0] - base.x, self.view_points[:, 1] - base.y)
+        if not np.any(distances <= VIEW_POINT_TOLERANCE):
+            return False
+        return bool(np.count_nonzero(frame.instances == self.index) >= VIEW_COVERAGE * frame.instances.size)
 
 
 class Judge:
@@ -42,68 +54,63 @@ class Judge:
     def __init__(self, home: Home, episode: Episode) -> None:
         """Begin with nothing achieved; raises InvalidInputError where the home lacks a candidate of the episode."""
         index = {instance.name: i for i, instance in enumerate(home.instances)}
-        self._home = home
         self._objects = [_viewable(candidate, index) for candidate in episode.objects]
         self._receptacles = [_viewable(candidate, index) for candidate in episode.goal_receptacles]
         self._object_names = {candidate.name for candidate in episode.objects}
         self._receptacle_names = {candidate.name for candidate in episode.goal_receptacles}
         self._released: str | None = None
+        self._steps_at_rest = 0
         self.measures = Measures()
 
     def update(self, simulator: Simulator, events: StepEvents, frame: Frame, stopped: bool) -> None:
         """Take in what one step came to: the simulator after it, its events, what the camera sees, the agent's STOP."""
-        measures = self.measures
-        found = measures.find_object_phase_success or self._sees_object(simulator, frame)
-        picked = measures.pick_object_phase_success or (found and events.grasped in self._object_names)
-        found_receptacle = measures.find_recep_phase_success or (picked and self._sees_receptacle(simulator, frame))
+        before, touches = self.measures, events.touches
+        found = before.find_object_phase_success or _any_found(self._objects, simulator, frame)
+        picked = before.pick_object_phase_success or (found and simulator.held in self._object_names)
+        found_receptacle = before.find_recep_phase_success or (
+            picked and _any_found(self._receptacles, simulator, frame)
+        )
         if events.released in self._object_names:
             self._released = events.released
+        self._steps_at_rest = self._steps_at_rest + 1 if self._lies_on_goal(simulator) else 0
         self.measures = replace(
-            measures,
+            before,
             find_object_phase_success=found,
             pick_object_phase_success=picked,
             find_recep_phase_success=found_receptacle,
-            place_success=found_receptacle and self._is_placed(simulator),
-            robot_scene_colls=measures.robot_scene_colls + (events.hit is not None),
-            num_steps=measures.num_steps + 1,
-            does_want_terminate=measures.does_want_terminate or stopped,
+            place_success=before.place_success or (found_receptacle and self._steps_at_rest >= REST_STEPS),
+            robot_scene_colls=before.robot_scene_colls + (touches.robot_scene is not None),
+            obj_scene_colls=before.obj_scene_colls + (touches.obj_scene is not None),
+            robot_obj_colls=before.robot_obj_colls + (touches.robot_obj is not None),
+            num_steps=before.num_steps + 1,
+            does_want_terminate=before.does_want_terminate or stopped,
         )
 
-    def _sees_object(self, simulator: Simulator, frame: Frame) -> bool:
-        def distance(name: str, base: BasePose) -> float:
-            x, y = simulator.object_pose(name)[:2, 3]
-            return base.distance_to(x, y)
-
-        return any(_is_found(target, simulator.base, frame, distance) for target in self._objects)
-
-    def _sees_receptacle(self, simulator: Simulator, frame: Frame) -> bool:
-        def distance(name: str, base: BasePose) -> float:
-            return float(distance_to_footprint(self._home, self._home.by_name[name], np.array([base.x, base.y])))
-
-        return any(_is_found(target, simulator.base, frame, distance) for target in self._receptacles)
-
-    def _is_placed(self, simulator: Simulator) -> bool:
+    def _lies_on_goal(self, simulator: Simulator) -> bool:
+        """Return whether the gripper is empty and what it let go of lies still on a goal receptacle."""
         if self._released is None or simulator.held is not None:
             return False
         return rests_on(simulator, self._released, self._receptacle_names)
 
 
 def rests_on(simulator: Simulator, name: str, receptacles: Set[str]) -> bool:
-    """Return whether an object is at rest and touches one of the receptacles above the floor without sinking in."""
-    return simulator.physics.is_at_rest(name) and any(
+    """Return whether an object lies still on one of some receptacles."""
+    return simulator.physics.is_still(name) and lies_on(simulator.physics.contacts(name), receptacles)
+
+
+def lies_on(contacts: Iterable[Contact], receptacles: Set[str]) -> bool:
+    """Return whether one of a body's contacts is with a receptacle, above the floor and without sinking in."""
+    return any(
         contact.other in receptacles and contact.point[2] >= LOWEST_CONTACT and contact.penetration <= DEEPEST_CONTACT
-        for contact in simulator.physics.contacts(name)
+        for contact in contacts
     )
 
 
 def _viewable(candidate: Candidate, index: dict[str, int]) -> _Viewable:
     if candidate.name not in index:
         raise InvalidInputError(f"the home holds no '{candidate.name}' to judge by; name one of its instances")
-    return _Viewable(candidate.name, index[candidate.name], np.array(candidate.view_points).reshape(-1, 2))
+    return _Viewable(index[candidate.name], np.array(candidate.view_points, np.float64).reshape(-1, 2))
 
 
-def _is_found(target: _Viewable, base: BasePose, frame: Frame, distance_to: DistanceTo) -> bool:
-    from_view_points = np.hypot(target.view_points[:, 0] - base.x, target.view_points[:, 1] - base.y)
-    if not np.any(from_view_points <= VIEW_POINT_TOLERANCE) or distance_to(target.name, base) > VIEW_DISTANCE:
-        return False
-    return bool(np.count_nonzero(frame.instances == target.index) >= VIEW_COVERAGE * frame.instances.size)
+def _any_found(targets: list[_Viewable], simulator: Simulator, frame: Frame) -> bool:
+    return any(target.is_found(simulator.base, frame) for target in targets)

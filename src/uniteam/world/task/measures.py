@@ -5,16 +5,18 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Measures:
-    """What an episode came to (see the HomeRobot paper, arXiv 2306.11565).
+    """What an episode came to (see the HomeRobot paper, arXiv 2306.11565). What has become true stays true.
 
     Attributes:
         find_object_phase_success: the base stood at a view point of a candidate object that covered 0.1 % of the image.
-        pick_object_phase_success: and a candidate object was grasped.
-        find_recep_phase_success: and later the base stood at a view point of a goal receptacle in view.
-        place_success: and the object came to rest on a goal receptacle.
-        robot_scene_colls: number of steps in which arm, gripper or held object collided with the scene.
+        pick_object_phase_success: and, then or later, a candidate object was in the gripper.
+        find_recep_phase_success: and, then or later, the base stood at a view point of a goal receptacle in view.
+        place_success: and the released object had lain at rest on a goal receptacle for 50 steps in a row.
+        robot_scene_colls: number of steps in which arm or gripper touched what is no small object.
         num_steps: steps taken.
         does_want_terminate: whether the agent itself called STOP.
+        obj_scene_colls: number of steps in which the held object touched anything.
+        robot_obj_colls: number of steps in which arm or gripper touched a small object.
     """
 
     find_object_phase_success: bool = False
@@ -24,10 +26,12 @@ class Measures:
     robot_scene_colls: int = 0
     num_steps: int = 0
     does_want_terminate: bool = False
+    obj_scene_colls: int = 0
+    robot_obj_colls: int = 0
 
     @property
     def overall_success(self) -> bool:
-        """Placed, and nothing was touched on the way."""
+        """Placed, and the robot touched nothing but small objects on the way."""
         return self.place_success and self.robot_scene_colls == 0
 
     @property

@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.interface import DiscreteAction
+from uniteam.interface import DiscreteAction, Joints
 from uniteam.mind.manipulation.arm_clearance import EMPTY_GRIPPER, SweepConfig
 from uniteam.mind.manipulation.arm_path import ArmPath, is_path_free
 from uniteam.mind.manipulation.arm_reach import ArmReach
@@ -26,17 +26,14 @@ from uniteam.mind.skills.skill import (
 from uniteam.mind.skills.view import View
 from uniteam.stretch import GRASP_RANGE, gripper_to_base
 
-GROUND_CLEARANCE = 0.05
-"""m; what hangs in the gripper keeps so far from the floor."""
-
 
 @dataclass(frozen=True)
 class ReachOut:
-    """Brings the gripper within reach of the object: lifts it, drives closer, extends the arm.
+    """Brings the gripper within reach of the object: drives closer, extends the arm.
 
     Attributes:
-        reach: how far (m) from the grasp centre the object's middle may be: a little less than the gripper bridges,
-            since the middle of what is seen is not the middle of the object.
+        reach: how far (m) from the grasp centre the object's middle may be in the horizontal plane: a little less than
+            the gripper bridges, since the middle of what is seen is not the middle of the object.
         approaches: how often the robot drives closer at most.
         extensions: of the arm, tried in this order where the base cannot get closer (m).
         heights: of the grasp centre above the object's top when the arm is extended, tried in this order (m).
@@ -52,7 +49,6 @@ class ReachOut:
     def __call__(self, view: View) -> Skill[View]:
         """Answer with the view from which to snap."""
         for _ in range(self.approaches):
-            view = yield from self._lift_gripper(view)
             if self._shortfall(view) <= 0.0:
                 return view
             before = view.observation.base_to_start
@@ -61,15 +57,6 @@ class ReachOut:
             if before.distance_to(now.x, now.y) < SMALLEST_DRIVE / 2:
                 break
         return (yield from self._reach_out(view))
-
-    def _lift_gripper(self, view: View) -> Skill[View]:
-        """Bring the gripper to the object's height while the arm is retracted, where it touches nothing."""
-        if self._shortfall(view) <= 0.0:
-            return view
-        joints = view.observation.joints
-        height = max(float(_middle(view)[2]), load_seen(view).below + GROUND_CLEARANCE)
-        target = replace(joints, lift=ArmReach.of_wrist(joints.wrist_pitch).lift_for(height))
-        return (yield from move_joints(view, target, "I bring the gripper to the object's height."))
 
     def _reach_out(self, view: View) -> Skill[View]:
         """Extend the arm over what is in between, as little as brings the object within reach and touches nothing."""
@@ -83,7 +70,7 @@ class ReachOut:
             height = float(points[:, 2].max()) + above
             end = replace(joints, lift=reach.lift_for(height), arm=arm)
             path = ArmPath((replace(joints, lift=end.lift), end))
-            if float(np.linalg.norm(_middle(view) - gripper_to_base(end)[:3, 3])) > self.reach:
+            if _distance(view, end) > self.reach:
                 continue
             is_way_free = is_path_free(path, everything, EMPTY_GRIPPER, self.sweep)
             if is_way_free and is_path_free(path, surroundings, load, self.sweep):
@@ -110,8 +97,13 @@ class ReachOut:
         """Return how far (m) the object is beyond reach; 0 where it is not in view."""
         if len(object_points(view)) == 0:
             return 0.0
-        gripper = gripper_to_base(view.observation.joints)[:3, 3]
-        return max(0.0, float(np.linalg.norm(_middle(view) - gripper)) - self.reach)
+        return max(0.0, _distance(view, view.observation.joints) - self.reach)
+
+
+def _distance(view: View, joints: Joints) -> float:
+    """Return how far (m) what is seen of the object is from the gripper at `joints`, in the horizontal plane."""
+    x, y = _middle(view)[:2] - gripper_to_base(joints)[:2, 3]
+    return math.hypot(x, y)
 
 
 def _middle(view: View) -> NDArray[np.float64]:

@@ -65,6 +65,40 @@ def screen_bounds(
     return bounds
 
 
+@njit(cache=True, nogil=True, fastmath=True, error_model="numpy")
+def may_be_seen(
+    vertices: NDArray[np.float32],
+    triangles: NDArray[np.int32],
+    projection: NDArray[np.float32],
+    width: int,
+    height: int,
+) -> bool:
+    """Return False where each triangle lies wholly beyond one side of the view, or before the near plane.
+
+    Args:
+        vertices: (N, 3) of a mesh (m), in any frame.
+        triangles: (T, 3) of them.
+        projection: (3, 4) float32 from that frame to pixel coordinates times depth.
+        width, height: of the image.
+    """
+    sides = np.empty(vertices.shape[0], dtype=np.uint8)
+    for k in range(vertices.shape[0]):
+        x, y, z = vertices[k, 0], vertices[k, 1], vertices[k, 2]
+        u = projection[0, 0] * x + projection[0, 1] * y + projection[0, 2] * z + projection[0, 3]
+        v = projection[1, 0] * x + projection[1, 1] * y + projection[1, 2] * z + projection[1, 3]
+        w = projection[2, 0] * x + projection[2, 1] * y + projection[2, 2] * z + projection[2, 3]
+        beyond = 1 if u < np.float32(-1.0) * w else 0
+        beyond |= 2 if u > np.float32(width) * w else 0
+        beyond |= 4 if v < np.float32(-1.0) * w else 0
+        beyond |= 8 if v > np.float32(height) * w else 0
+        beyond |= 16 if w < np.float32(NEAR) else 0
+        sides[k] = beyond
+    for t in range(triangles.shape[0]):
+        if sides[triangles[t, 0]] & sides[triangles[t, 1]] & sides[triangles[t, 2]] == 0:
+            return True
+    return False
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
 def drawing_order(bounds: NDArray[np.float32], is_stage: NDArray[np.bool_]) -> NDArray[np.int32]:
     """Return the parts that can be seen: the stage first, then the others, each from the nearest to the farthest."""

@@ -76,7 +76,7 @@ def _draw_part(
     triangles = buffers.triangles
     last_row, last_column = np.float32(inverse_depth.shape[0] - 1), np.float32(inverse_depth.shape[1] - 1)
     for t in range(buffers.part_ranges[part, 2], buffers.part_ranges[part, 3]):
-        a, b, c = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        a, b, c = np.uint64(triangles[t, 0]), np.uint64(triangles[t, 1]), np.uint64(triangles[t, 2])
         wa, wb, wc = screen[a, 2], screen[b, 2], screen[c, 2]
         if min(wa, wb, wc) < np.float32(0.0):
             if max(wa, wb, wc) > np.float32(0.0):
@@ -160,14 +160,19 @@ def _fill(
     long_edge = (x2 - x0) / (y2 - y0)
     upper_edge = (x1 - x0) / (y1 - y0) if y1 > y0 else 0.0
     lower_edge = (x2 - x1) / (y2 - y1) if y2 > y1 else 0.0
+    number = np.int32(t)
     for y in range(first_row, last_row + 1):
         edge_long = x0 + (y - y0) * long_edge
         edge_short = x0 + (y - y0) * upper_edge if y < y1 else x1 + (y - y1) * lower_edge
         first = math.ceil(max(min(edge_long, edge_short), 0.0))
         last = math.floor(min(max(edge_long, edge_short), width - 1.0))
+        if first > last:
+            continue
         start = np.float32(w0 + (first - x0) * slope_x + (y - y0) * slope_y)
-        for x in range(first, last + 1):
-            nearness = min(max(start + np.float32(x - first) * step, lowest), highest)
-            if nearness > inverse_depth[y, x]:
-                inverse_depth[y, x] = nearness
-                triangle_at[y, x] = t
+        # Counted from zero in slices, and written in any case, so that the compiler takes many pixels at once.
+        nearest, seen = inverse_depth[y, first : last + 1], triangle_at[y, first : last + 1]
+        for k in range(nearest.shape[0]):
+            nearness = min(max(start + np.float32(np.int32(k)) * step, lowest), highest)
+            is_nearer = nearness > nearest[k]
+            seen[k] = number if is_nearer else seen[k]
+            nearest[k] = nearness if is_nearer else nearest[k]
