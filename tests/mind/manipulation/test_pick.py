@@ -1,7 +1,7 @@
 """Picking in a world of boxes: what the baseline misses, and what looking around and feeling the gripper mend."""
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from worlds.arm_world import ArmWorld, play
 from worlds.box_world import Box
 
 from uniteam.geometry import BasePose
-from uniteam.interface import DiscreteAction, Instruction, JointDisplacement
+from uniteam.interface import Action, DiscreteAction, Instruction, JointDisplacement
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import improved
 from uniteam.mind.manipulation.pick.pick import PickConfig, PickResult, load_seen, pick
@@ -125,3 +125,45 @@ def test_reach_out_pick_extends_the_arm_over_what_keeps_the_base_away() -> None:
     assert worlds[1].held is not None
     assert worlds[1].hits == []
     assert worlds[1].joints.arm == pytest.approx(0.0)
+
+
+def test_reach_out_pick_does_not_extend_the_arm_through_what_is_in_the_way() -> None:
+    bench = Box((0.35, -0.5, 0.0), (0.8, 0.5, 0.5), "bench")
+    cup = Box((1.16, -0.04, 0.6), (1.24, 0.04, 0.7), "cup")
+    fence = tuple(Box((0.4, y, 0.5), (0.42, y + 0.02, 1.6)) for y in np.arange(-0.3, 0.3, 0.06))
+    world = ArmWorld((bench, Box((0.8, -0.5, 0.0), (1.6, 0.5, 0.6), "table"), cup, *fence), BasePose(0.0, 0.0, 0.0))
+    _, actions = play(world, INSTRUCTION, lambda view: pick(view, REACHING))
+    assert world.hits == []
+    assert not any(isinstance(action, JointDisplacement) and action.delta.arm > 0.05 for action in actions)
+
+
+@dataclass
+class StubbornWorld(ArmWorld):
+    """A body whose base stays as it is when the arm is folded, as the challenge's does."""
+
+    def do(self, action: Action) -> None:
+        before = self.base
+        super().do(action)
+        if action is DiscreteAction.NAVIGATION_MODE:
+            self.base = before
+
+
+@pytest.mark.parametrize(("names", "heading"), [((), math.pi / 2), (("turn_back",), 0.0)])
+def test_turn_back_faces_the_object_again_where_folding_the_arm_does_not_turn_the_base(
+    names: tuple[str, ...], heading: float
+) -> None:
+    world = StubbornWorld((TABLE, cup_at(0.6, 0.0)), BasePose(0.0, 0.0, 0.0))
+    pick_in(world, improved(BASELINE, names).pick)
+    assert world.base.heading == pytest.approx(heading)
+    turning = ArmWorld((TABLE, cup_at(0.6, 0.0)), BasePose(0.0, 0.0, 0.0))
+    _, actions = play(turning, INSTRUCTION, lambda view: pick(view, improved(BASELINE, names).pick))
+    assert turning.base.heading == pytest.approx(0.0)
+    assert actions[-1] is DiscreteAction.NAVIGATION_MODE
+
+
+def test_reach_out_pick_drives_to_the_object_whether_or_not_folding_the_arm_turns_the_base() -> None:
+    boxes = (Box((0.9, -0.5, 0.0), (1.4, 0.5, 0.7), "table"), cup_at(1.2, 0.1))
+    worlds = ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)), StubbornWorld(boxes, BasePose(0.0, 0.0, 0.0))
+    for world in worlds:
+        pick_in(world, REACHING)
+        assert world.held is not None

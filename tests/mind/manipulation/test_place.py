@@ -296,3 +296,52 @@ def test_more_attempts_keeps_hold_where_no_receptacle_is_seen_and_the_baseline_l
     assert worlds[0].released is not None
     assert worlds[1].held is CUP
     assert worlds[1].joints == NAVIGATION_POSTURE
+
+
+def test_edge_margin_is_worth_the_distance_from_the_edge_and_more_of_it_for_what_is_larger() -> None:
+    ticks = np.arange(-0.5, 0.5, 0.01)
+    x, y = (axis.ravel() for axis in np.meshgrid(ticks, ticks))
+    top = np.column_stack([x, y, np.full(len(x), 0.7)]).astype(np.float32)
+    samples = np.array([[-0.5 + off, 0.0, 0.7] for off in (0.08, 0.15, 0.25)], dtype=np.float32)
+    weigh = config("edge_margin").choose_points.weigh  # type: ignore[attr-defined]
+    of_cup, of_plank = (weigh(top, samples, load) for load in (CUP_LOAD, Load(0.3, 0.05, 0.05)))
+    assert of_cup[1] - of_cup[0] > 0.03 and of_cup[2] - of_cup[1] < 0.02
+    assert of_plank[2] - of_plank[1] > 0.08
+
+
+def test_surface_fallback_takes_no_floor_for_a_surface() -> None:
+    world = ArmWorld((Box((0.3, -1.0, 0.0), (2.0, 1.0, 0.02)),), BasePose(0.0, 0.0, 0.0))
+    place_in(world, config("surface_fallback"))
+    assert world.released is not None
+    assert world.released[2] == pytest.approx(BLIND_LIFT + ArmReach.of_wrist(HANGING_WRIST).low, abs=0.005)
+
+
+def test_surface_fallback_puts_down_on_the_level_and_not_on_the_slope_beside_it() -> None:
+    """A narrow board before a bank of steps, each too narrow to stand on: only the board is level with room above."""
+    board = Box((0.45, -0.5, 0.0), (0.6, 0.5, 0.5), "desk")
+    bank = tuple(Box((0.6 + 0.01 * k, -0.5, 0.0), (0.61 + 0.01 * k, 0.5, 0.55 + 0.04 * k)) for k in range(20))
+    on_board = 0
+    for seed in range(6):
+        world = ArmWorld((board, *bank), BasePose(0.0, 0.0, 0.0))
+        world.held = CUP
+        settings = config("surface_fallback")
+        context = settings.context(CUP_LOAD, np.random.default_rng(seed))
+        play(world, INSTRUCTION, partial(place, context=context, config=settings, is_last=True))
+        on_board += is_over(world, board)
+    assert on_board == 6
+
+
+def test_drop_height_keeps_15_cm_between_what_hangs_down_and_the_surface() -> None:
+    low = table(0.5, height=0.3)
+    world = ArmWorld((low,), BasePose(0.0, 0.0, 0.0))
+    place_in(world, config("drop_height"), VASE_LOAD, VASE)
+    assert world.released is not None
+    assert world.released[2] == pytest.approx(0.3 + 0.5 + 0.15, abs=0.005)
+
+
+def test_drop_height_never_lowers_what_the_baseline_drops() -> None:
+    for below in np.linspace(0.0, 0.6, 13):
+        load = Load(0.05, 0.05, float(below))
+        raised, plain = (config(*names).release.height_above_surface(load) for names in (("drop_height",), ()))
+        assert raised >= plain
+    assert raised > plain + 0.3

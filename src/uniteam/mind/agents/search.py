@@ -144,12 +144,15 @@ def get_away(board: Blackboard, view: View) -> Skill[View]:
 
 
 def _plan(board: Blackboard, view: View, search: Search) -> tuple[Goal, Plan] | None:
+    """Return what to head for and how; None where there is nothing but to try again what failed here."""
     misses = search.misses(board)
     with section("planner"):
         wanted = [misses.avoided_by(choose) for choose in _choices(board, search)]
         choices = [_but_failed_goals(board, choose) for choose in board.commitment.choices(wanted)]
         base = view.observation.base_to_start
-        return board.config.search.pursue(board.planner, board.bird_map, base, choices, search.target)
+        found = board.config.search.pursue(board.planner, board.bird_map, base, choices, search.target)
+    is_in_vain = found is not None and bool(misses.made) and not found[0].cells.any()
+    return None if is_in_vain else found
 
 
 def _choices(board: Blackboard, search: Search) -> tuple[ChooseGoal, ...]:

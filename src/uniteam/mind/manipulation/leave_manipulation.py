@@ -5,6 +5,7 @@ import math
 from uniteam.interface import DiscreteAction
 from uniteam.mind.skills.skill import Skill, discrete, turn
 from uniteam.mind.skills.view import View
+from uniteam.stretch import looks_along_arm
 
 QUARTER = math.pi / 2
 
@@ -17,8 +18,9 @@ def fold(view: View, reason: str) -> Skill[View]:
 def fold_and_turn_back(view: View, reason: str) -> Skill[View]:
     """Fold the arm and face again where the arm pointed; a body whose base turns back by itself is not turned twice."""
     before = view.observation.base_to_start.heading
+    pointed_aside = looks_along_arm(view.observation.joints)
     view = yield from fold(view, reason)
-    if abs(quarters_turned(before, view)) == 0:
+    if pointed_aside and quarters_turned(before, view) == 0:
         view = yield turn(-QUARTER, "I turn back to where I faced.")
     return view
 
