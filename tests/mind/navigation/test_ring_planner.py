@@ -114,3 +114,17 @@ def test_where_there_is_no_path_to_the_goal_nor_to_a_frontier_the_robot_stops_wh
     )
     assert found is not None
     assert found[0].kind is GoalKind.GOAL_RECEPTACLE and found[1].action is None and found[1].reached
+
+
+def test_collisions_that_shut_the_robot_in_are_forgotten_before_it_stops_where_it_stands() -> None:
+    drive, planner = begin("collision_mapping")
+    around = [(0.35 * math.cos(a), 0.35 * math.sin(a)) for a in np.arange(0.0, 2 * math.pi, 0.05)]
+    drive.bird_map.mark_felt(np.array(around))
+    drive.bird_map.mark_collision(np.array(around))
+    goal = goal_at(drive, 2.0, 0.0)
+    assert not planner.plan(drive.bird_map, START, goal).reachable
+    found = first_goal_or_frontier(
+        planner, drive.bird_map, START, (lambda m, b: goal, lambda m, b: None), GoalKind.GOAL_RECEPTACLE
+    )
+    assert found is not None and found[1].action is DiscreteAction.MOVE_FORWARD
+    assert not drive.bird_map.felt.any()

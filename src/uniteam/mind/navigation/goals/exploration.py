@@ -139,11 +139,22 @@ def first_goal_or_frontier(
     """Head for the first choice that there is, as HomeRobot does.
 
     Where it is what was searched for and there is no path to it, head for the frontier; where there is none to that
-    either, or nothing to head for at all, take the robot to be where it should be.
+    either, or nothing to head for at all, take the robot to be where it should be. Before that, what collisions taught
+    is forgotten, if anything is left of it.
     """
+    found = _goal_or_frontier(planner, bird_map, base, choices, target)
+    if found is None and bird_map.collision.any():
+        planner.config.no_path(bird_map)
+        found = _goal_or_frontier(planner, bird_map, base, choices, target)
+    return found or _stop_here(bird_map, base, target)
+
+
+def _goal_or_frontier(
+    planner: Planner, bird_map: BirdsEyeMap, base: BasePose, choices: Sequence[ChooseGoal], target: GoalKind
+) -> Found | None:
     goal = next((goal for choose in choices if (goal := choose(bird_map, base)) is not None), None)
     if goal is None:
-        return _stop_here(bird_map, base, target)
+        return None
     planner.notice(bird_map, base)
     plan = planner.plan(bird_map, base, goal)
     if plan.reachable or goal.kind is not target:
@@ -152,9 +163,9 @@ def first_goal_or_frontier(
         planner.give_way(bird_map)
     frontier = choices[-1](bird_map, base)
     if frontier is None:
-        return _stop_here(bird_map, base, target)
+        return None
     plan = planner.plan(bird_map, base, frontier)
-    return (frontier, plan) if plan.reachable else _stop_here(bird_map, base, target)
+    return (frontier, plan) if plan.reachable else None
 
 
 def _stop_here(bird_map: BirdsEyeMap, base: BasePose, target: GoalKind) -> Found:
