@@ -12,10 +12,11 @@ from uniteam.world.generation.plan.floor_plan import (
     MAX_ROOM_COUNT,
     MIN_FLOOR_AREA,
     MIN_ROOM_COUNT,
-    FloorPlan,
     draw_floor_plan,
 )
+from uniteam.world.generation.plan.floor_shape import FloorShape
 from uniteam.world.generation.plan.openings import PlannedWall, draw_walls
+from uniteam.world.generation.plan.planned_room import FloorPlan
 from uniteam.world.generation.plan.rect import Rect
 
 SEEDS = range(60)
@@ -25,7 +26,7 @@ def planned(seed: int) -> tuple[FloorPlan, tuple[PlannedWall, ...]]:
     rng = np.random.default_rng(seed)
     while True:
         plan = draw_floor_plan(rng)
-        walls = draw_walls(plan, rng)
+        walls = draw_walls(plan, (90, 95, 100), rng)
         if walls is not None:
             return plan, walls
 
@@ -99,7 +100,7 @@ def hull_area(plan: FloorPlan) -> float:
 
 def empty_room() -> RoomFloor:
     """Return a room of 4 m by 3 m with doors in the middle of its west and its east wall."""
-    return RoomFloor(Rect(0, 0, 400, 300), [Rect(0, 105, 70, 195), Rect(330, 105, 400, 195)], [])
+    return RoomFloor(FloorShape(Rect(0, 0, 400, 300)), [Rect(0, 105, 70, 195), Rect(330, 105, 400, 195)], [])
 
 
 def test_a_cupboard_across_the_room_would_part_its_doors() -> None:

@@ -16,9 +16,11 @@ from uniteam.world.generation.furniture.room_floor import Volume
 from uniteam.world.generation.furniture.rules import Arrangement
 from uniteam.world.generation.objects.scatter import scatter
 from uniteam.world.generation.objects.stock import ObjectStock
-from uniteam.world.generation.plan.floor_plan import PlannedRoom
+from uniteam.world.generation.plan.floor_shape import FloorShape
 from uniteam.world.generation.plan.openings import PlannedOpening, PlannedWall
+from uniteam.world.generation.plan.planned_room import PlannedRoom
 from uniteam.world.generation.plan.rect import Rect
+from uniteam.world.generation.style import TIDY
 from uniteam.world.homes.home import Instance
 
 ROOM = Rect(6, 6, 494, 394)
@@ -36,7 +38,7 @@ def model(width: float, depth: float, height: float, role: Role = "receptacle", 
 
 def site(anchor: Piece | None = None, seed: int = 0) -> Site:
     window = Volume(Rect(150, 369, 300, 419), 90, 210)
-    return Site(ROOM, 250, (window,), anchor, np.random.default_rng(seed))
+    return Site(FloorShape(ROOM), 250, (window,), anchor, np.random.default_rng(seed))
 
 
 def gap_behind(piece: Piece) -> int:
@@ -151,7 +153,7 @@ def tables() -> Iterator[Instance]:
 
 def test_objects_are_scattered_within_their_surfaces_and_apart() -> None:
     rng = np.random.default_rng(5)
-    things = scatter(list(tables()), {"room_1": "office"}, ObjectStock(catalogue(), "test", rng), rng)
+    things = scatter(list(tables()), {"room_1": "office"}, ObjectStock(catalogue(), "test", rng), TIDY.clutter, rng)
     assert len(things) >= 20
     places = np.array([thing.position for thing in things])
     assert (np.abs((places[:, 0] + 1.0) % 2.0 - 1.0) < 0.75 - 0.04).all()
@@ -172,7 +174,9 @@ def test_objects_do_not_go_where_a_television_stands() -> None:
         for k in range(12)
     ]
     rng = np.random.default_rng(5)
-    assert not scatter([*tables(), *on_every_table], {"room_1": "office"}, ObjectStock(stock, "test", rng), rng)
+    assert not scatter(
+        [*tables(), *on_every_table], {"room_1": "office"}, ObjectStock(stock, "test", rng), TIDY.clutter, rng
+    )
 
 
 def test_training_homes_get_no_unseen_category() -> None:

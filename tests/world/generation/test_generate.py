@@ -19,8 +19,9 @@ from uniteam.geometry import transform_points
 from uniteam.stretch import BASE_RADIUS
 from uniteam.world.assets.catalogue import Catalogue, load_catalogue
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Box, Pool
-from uniteam.world.generation.generate import generate_home, is_roomy
+from uniteam.world.generation.generate import generate_home
 from uniteam.world.generation.objects.settling import resting_on
+from uniteam.world.generation.passable import is_roomy
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.homes.serialization import home_from_data, home_to_data
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor

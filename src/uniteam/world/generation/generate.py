@@ -2,45 +2,38 @@
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import count
 
 import numpy as np
 from numpy.random import Generator
-from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import yaw_quaternion
-from uniteam.stretch import BASE_RADIUS
-from uniteam.world.assets.catalogue import load_catalogue
+from uniteam.world.assets.catalogue import Catalogue, load_catalogue
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES, Pool
-from uniteam.world.generation.furniture.furnishing import FurnishedRoom, FurnitureShop, furnish
+from uniteam.world.generation.furniture.furnishing import FurnishedRoom, FurnitureShop, HomeFurnisher
 from uniteam.world.generation.furniture.piece import Piece
-from uniteam.world.generation.objects.scatter import MIN_OBJECT_COUNT, scatter
+from uniteam.world.generation.objects.scatter import scatter
 from uniteam.world.generation.objects.settling import settle
 from uniteam.world.generation.objects.stock import ObjectStock
-from uniteam.world.generation.plan.floor_plan import draw_floor_plan
-from uniteam.world.generation.plan.openings import WALL_THICKNESS, draw_walls
+from uniteam.world.generation.plan.openings import draw_walls
 from uniteam.world.generation.plan.stage import Decorator
-from uniteam.world.homes.home import Home, Instance, Room
-from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
+from uniteam.world.generation.style import TIDY, HomeStyle
+from uniteam.world.homes.home import Home, Instance
 
 LARGEST_SEED = 2**53
 """Of a home, so that every reader of JSON keeps it whole."""
 
-_POOLS: tuple[Pool, ...] = ("train", "test")
+POOLS: tuple[Pool, ...] = ("train", "test")
 _CEILINGS = (250, 260, 270)
 _FEWEST_FURNITURE = 18
 _FEWEST_RECEPTACLE_CLASSES = 8
 _SCATTERINGS = 4
 """How often objects are scattered in a layout before another one is drawn."""
-_ROOM_TO_STAND = 0.5
-"""The robot's centre reaches at least so much of every room, without its doorways (m2)."""
-_SHARE_TO_REACH = 0.3
-"""And at least this share of where it could stand in the room: no furniture shuts the rest off."""
 
 
-def generate_home(seed: int, pool: Pool = "test") -> Home:
+def generate_home(seed: int, pool: Pool = "test", style: HomeStyle = TIDY) -> Home:
     """Return the furnished home of a seed.
 
     Everything but the objects is the same on every machine; where they come to rest is the same on one machine.
@@ -48,26 +41,43 @@ def generate_home(seed: int, pool: Pool = "test") -> Home:
     Args:
         seed: from 0 to `LARGEST_SEED`.
         pool: "train" homes hold training models only and no unseen category; "test" homes hold the other models.
+        style: how it is planned, furnished and used.
 
     Raises:
         InvalidInputError: the seed is negative or too large.
         UnknownNameError: there is no such pool.
     """
     check_seed(seed)
-    if pool not in _POOLS:
-        raise UnknownNameError("pool", pool, _POOLS)
+    if pool not in POOLS:
+        raise UnknownNameError("pool", pool, POOLS)
     catalogue = load_catalogue()
     for attempt in count():
-        seeds = [seed, _POOLS.index(pool), attempt]
-        home = _draw_layout(f"{pool}-{seed}", seed, FurnitureShop(catalogue, pool), np.random.default_rng(seeds))
-        if home is None or not is_roomy(home):
+        seeds = [seed, POOLS.index(pool), attempt]
+        home = _draw_layout(_Order(seed, pool, style, catalogue), np.random.default_rng(seeds))
+        if home is None or not style.is_sound(home):
             continue
         for scattering in range(_SCATTERINGS):
             rng = np.random.default_rng([*seeds, scattering])
-            cluttered = settle(_with_objects(home, ObjectStock(catalogue, pool, rng), rng))
-            if sum(instance.movable for instance in cluttered.instances) >= MIN_OBJECT_COUNT:
-                return cluttered
+            stock = ObjectStock(catalogue, pool, rng, style.clutter.fitting, style.clutter.frequent)
+            used = _with_objects(home, stock, style, rng)
+            if used is not None:
+                return used
     raise AssertionError("unreachable")
+
+
+@dataclass(frozen=True)
+class _Order:
+    """What home is wanted."""
+
+    seed: int
+    pool: Pool
+    style: HomeStyle
+    catalogue: Catalogue
+
+    @property
+    def name(self) -> str:
+        """The home's."""
+        return f"{self.pool}-{self.style.prefix}{self.seed}"
 
 
 def check_seed(seed: int) -> None:
@@ -77,26 +87,31 @@ def check_seed(seed: int) -> None:
         raise InvalidInputError(f"a home's seed {what}, got {seed}")
 
 
-def _draw_layout(name: str, seed: int, shop: FurnitureShop, rng: Generator) -> Home | None:
+def _draw_layout(order: _Order, rng: Generator) -> Home | None:
     """Return a furnished home without objects, or None where the draw is a poor one."""
-    plan = draw_floor_plan(rng)
-    walls = draw_walls(plan, rng)
+    plan = order.style.draw_plan(rng)
+    walls = draw_walls(plan, order.style.door_widths, rng)
     if walls is None:
         return None
     ceiling = int(rng.choice(_CEILINGS))
-    rooms = furnish(plan, walls, shop, ceiling, rng)
+    shop = FurnitureShop(order.catalogue, order.pool)
+    rooms = HomeFurnisher(order.style.furnishing, shop, ceiling, rng).furnish(plan, walls)
     furniture = [_instance(piece, room) for room in rooms for piece in room.pieces]
     if not _is_furnished(furniture):
         return None
-    stage = Decorator(shop.catalogue, rng).stage(plan, walls, ceiling)
-    return Home(name, stage, _numbered(furniture), shop.catalogue, seed)
+    stage = Decorator(order.catalogue, rng).stage(plan, walls, ceiling)
+    return Home(order.name, stage, _numbered(furniture), order.catalogue, order.seed)
 
 
-def _with_objects(home: Home, stock: ObjectStock, rng: Generator) -> Home:
-    """Return the home with objects a hair above where they will lie."""
+def _with_objects(home: Home, stock: ObjectStock, style: HomeStyle, rng: Generator) -> Home | None:
+    """Return the home with its objects where they came to rest, or None where too few stay or they shut the ways."""
     room_kinds = {room.name: room.kind for room in home.stage.rooms}
-    objects = scatter(home.instances, room_kinds, stock, rng)
-    return replace(home, instances=_numbered([*home.instances, *objects]))
+    objects = scatter(home.instances, room_kinds, stock, style.clutter, rng)
+    litter = style.litter(home, stock, rng)
+    settled = settle(replace(home, instances=_numbered([*home.instances, *objects, *litter])))
+    if sum(instance.movable for instance in settled.instances) < style.clutter.fewest:
+        return None
+    return settled if not litter or style.is_sound(settled) else None
 
 
 def _instance(piece: Piece, room: FurnishedRoom) -> Instance:
@@ -120,22 +135,3 @@ def _is_furnished(furniture: Iterable[Instance]) -> bool:
     categories = [instance.category for instance in furniture]
     classes = set(categories) & set(RECEPTACLE_CATEGORIES)
     return len(categories) >= _FEWEST_FURNITURE and len(classes) >= _FEWEST_RECEPTACLE_CLASSES
-
-
-def is_roomy(home: Home) -> bool:
-    """Say whether the robot gets from every room into every other, and to a fair share of where it could stand."""
-    floor = NavigableFloor(home)
-    reached = np.array([_area_within(floor, room, floor.largest_component) for room in home.stage.rooms])
-    free = np.array([_area_within(floor, room, floor.free) for room in home.stage.rooms])
-    return bool((reached >= np.maximum(_ROOM_TO_STAND, _SHARE_TO_REACH * free)).all())
-
-
-def _area_within(floor: NavigableFloor, room: Room, cells: NDArray[np.bool_]) -> float:
-    """Return how much of a room (m2) chosen cells of its floor fill, without those in its doorways.
-
-    No robot stands nearer to the walls' centre lines than this but in a doorway.
-    """
-    border = BASE_RADIUS + WALL_THICKNESS / 200
-    low = floor.to_cell(room.low[0] + border, room.low[1] + border)
-    high = floor.to_cell(room.high[0] - border, room.high[1] - border)
-    return float(cells[low[0] : high[0], low[1] : high[1]].sum()) * CELL_SIZE**2

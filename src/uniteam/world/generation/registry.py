@@ -11,12 +11,18 @@ from typing import cast
 
 from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.registry import Registry
-from uniteam.world.generation.generate import check_seed, generate_home
+from uniteam.world.generation.generate import POOLS, check_seed, generate_home
+from uniteam.world.generation.style import STYLES, TIDY
 from uniteam.world.homes.home import Home
 from uniteam.world.homes.serialization import check_home
 
 HomeSource = Callable[[int], Home]
 """From a seed, which is not negative, to the home of that seed."""
+
+
+def source_name(source: str, style: str) -> str:
+    """Return the name of what makes a source's homes in a style: "test" for tidy ones, "test-lived_in"."""
+    return source if style == TIDY.name else f"{source}-{style}"
 
 
 def _checked(name: str, value: object) -> HomeSource:
@@ -27,8 +33,9 @@ def _checked(name: str, value: object) -> HomeSource:
 
 
 HOMES: Registry[HomeSource] = Registry("source of homes", "uniteam.homes", _checked)
-HOMES.register("test", partial(generate_home, pool="test"), __name__)
-HOMES.register("train", partial(generate_home, pool="train"), __name__)
+for _pool in POOLS:
+    for _style in STYLES.values():
+        HOMES.register(source_name(_pool, _style.name), partial(generate_home, pool=_pool, style=_style), __name__)
 
 
 def home_of_seed(source: str, seed: int) -> Home:

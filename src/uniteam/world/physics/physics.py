@@ -141,6 +141,13 @@ class Physics:
             mujoco.mj_collision(self.model.mujoco, data)
         return self._contacts_of(name, data.contact)
 
+    def all_contacts(self) -> dict[str, tuple[Contact, ...]]:
+        """Return what `contacts` returns, for every body at once."""
+        data = self.still_data()
+        with self._sleepless():
+            mujoco.mj_collision(self.model.mujoco, data)
+        return {name: tuple(found) for name, found in self._found(data.contact).items()}
+
     def touching(self, name: str) -> frozenset[str]:
         """Return what a body touches: names of instances, "wall", "floor"."""
         return frozenset(contact.other for contact in self.contacts(name))
@@ -183,14 +190,18 @@ class Physics:
         options.enableflags |= _SLEEP
 
     def _contacts_of(self, name: str, contacts: Any) -> tuple[Contact, ...]:
-        found = []
-        for (one, two), point, distance in zip(contacts.geom, contacts.pos, contacts.dist, strict=True):
-            owners = self.model.owners[one], self.model.owners[two]
-            if name in owners:
-                x, y, z = point
-                other = owners[1] if owners[0] == name else owners[0]
-                found.append(Contact(other, (float(x), float(y), float(z)), -float(distance)))
-        return tuple(found)
+        return tuple(self._found(contacts)[name])
+
+    def _found(self, contacts: Any) -> dict[str, list[Contact]]:
+        """Return MuJoCo's contacts by the bodies that they are of, in MuJoCo's order."""
+        found: dict[str, list[Contact]] = {name: [] for name in self.names}
+        for pair, point, distance in zip(contacts.geom, contacts.pos, contacts.dist, strict=True):
+            one, two = (self.model.owners[geom] for geom in pair)
+            x, y, z = point
+            for name, other in ((one, two), (two, one)):
+                if name in found:
+                    found[name].append(Contact(other, (float(x), float(y), float(z)), -float(distance)))
+        return found
 
     def _number(self, name: str) -> int:
         try:

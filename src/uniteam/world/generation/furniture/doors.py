@@ -7,8 +7,8 @@ from numpy.random import Generator
 
 from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture.piece import Piece
-from uniteam.world.generation.plan.floor_plan import FloorPlan
 from uniteam.world.generation.plan.openings import WALL_THICKNESS, PlannedOpening, PlannedWall
+from uniteam.world.generation.plan.planned_room import FloorPlan
 from uniteam.world.generation.plan.rect import Rect
 
 _FROM_WALL = 1

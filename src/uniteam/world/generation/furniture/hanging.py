@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture.piece import Piece, Site
-from uniteam.world.generation.furniture.standing import before_window, wall_run
+from uniteam.world.generation.furniture.standing import along_wall, before_window
 
 
 def on_wall(site: Site, model: Model) -> Iterator[Piece]:
     """Hung on a wall, its middle at eye level, anywhere along it."""
     z = max(20, 155 - round(50 * model.size[2]))
-    runs = [p for q in range(4) for _, p in wall_run(site.inner, model, q, z)]
+    runs = [piece for run in site.floor.runs for _, piece in along_wall(run, model, z)]
     return (runs[i] for i in site.rng.permutation(len(runs)))
 
 
@@ -58,12 +58,12 @@ def at_window(site: Site, model: Model) -> Iterator[Piece]:
     for window in site.windows:
         width = max(window.rect.width, window.rect.depth)
         if 50 * model.size[0] <= width <= 100 * model.size[0]:
-            yield before_window(site.inner, window, model, z)
+            yield before_window(site.floor, window, model, z)
 
 
 def on_ceiling(site: Site, model: Model) -> Iterator[Piece]:
     """Under the ceiling, at the room's middle."""
-    inner = site.inner
+    inner = site.floor.heart
     x, y = (inner.x0 + inner.x1) // 2, (inner.y0 + inner.y1) // 2
     yield Piece(model, x, y, 0, site.ceiling - math.ceil(100 * model.size[2]))
 
@@ -83,6 +83,6 @@ def beneath(site: Site, model: Model) -> Iterator[Piece]:
 
 def on_floor(site: Site, model: Model) -> Iterator[Piece]:
     """Flat in the room's middle: a rug without a table."""
-    inner = site.inner
+    inner = site.floor.heart
     quarters = int((inner.depth > inner.width) == (model.size[0] > model.size[1]))
     yield Piece(model, (inner.x0 + inner.x1) // 2, (inner.y0 + inner.y1) // 2, quarters)

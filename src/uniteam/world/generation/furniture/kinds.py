@@ -87,6 +87,7 @@ KINDS = {
     "hamper": FurnitureKind(("hamper",)),
     "serving_cart": FurnitureKind(("serving_cart",)),
     "stool": FurnitureKind(("stool",)),
+    "low_stool": FurnitureKind(("stool",), height=(0.2, 0.62)),
     "counter": FurnitureKind(("counter",), width=(0.4, 1.5), depth=(0.5, 0.75), also=_not_named("corner", "island")),
     "island": FurnitureKind(("counter",), width=(0.6, 2.4), depth=(0.6, 1.4), also=_named("island")),
     "kitchen_sink": FurnitureKind(("sink",), width=(0.55, 1.4), depth=(0.55, 0.75), height=(0.8, 1.3),

@@ -5,11 +5,13 @@ A model's front faces -y, so at zero turns its back is to the north.
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 from numpy.random import Generator
 
 from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture.room_floor import Volume
+from uniteam.world.generation.plan.floor_shape import FloorShape
 from uniteam.world.generation.plan.rect import Rect
 
 
@@ -28,9 +30,7 @@ class Piece:
     def half_size(self) -> tuple[int, int]:
         """Half the width and half the depth in the model's own frame, rounded up, with room to turn by `degrees`."""
         width, depth, _ = self.model.size
-        turn = math.radians(abs(self.degrees))
-        c, s = math.cos(turn), math.sin(turn)
-        return _half_up(c * width + s * depth), _half_up(s * width + c * depth)
+        return _half_size(width, depth, abs(self.degrees))
 
     def offset(self, right: int, back: int) -> tuple[int, int]:
         """Return the point of the room at (right, back) cm in the model's own frame."""
@@ -53,8 +53,26 @@ class Piece:
     @property
     def volume(self) -> Volume:
         """The box it fills."""
-        top = math.ceil(round(self.z + 100 * self.model.size[2], 3))
-        return Volume(self.rect, math.ceil(round(self.z, 3)), top)
+        return Volume(self.rect, *_levels(self.z, self.model.size[2]))
+
+    def as_row(self) -> tuple[int, int, int, int, int, int]:
+        """Return the row of its volume, faster."""
+        hx, hy = self.half_size[:: -1 if self.quarters % 2 else 1]
+        bottom, top = _levels(self.z, self.model.size[2])
+        return (self.x - hx, self.y - hy, bottom, self.x + hx, self.y + hy, top)
+
+
+@lru_cache(maxsize=4096)
+def _half_size(width: float, depth: float, degrees: int) -> tuple[int, int]:
+    turn = math.radians(degrees)
+    c, s = math.cos(turn), math.sin(turn)
+    return _half_up(c * width + s * depth), _half_up(s * width + c * depth)
+
+
+@lru_cache(maxsize=4096)
+def _levels(z: float, height: float) -> tuple[int, int]:
+    """Return the bottom and the top of what stands at `z` (cm) and is so high (m)."""
+    return math.ceil(round(z, 3)), math.ceil(round(z + 100 * height, 3))
 
 
 def _half_up(length: float) -> int:
@@ -73,14 +91,14 @@ class Site:
     """What a proposal may look at.
 
     Attributes:
-        inner: the room's floor between the walls' faces.
+        floor: the room's, between the walls' faces.
         ceiling: its height (cm).
         windows: the volumes before them.
         anchor: the piece it is placed in relation to; None where a rule needs none.
         rng: for every choice.
     """
 
-    inner: Rect
+    floor: FloorShape
     ceiling: int
     windows: tuple[Volume, ...]
     anchor: Piece | None

@@ -12,6 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.world.generation.plan.floor_shape import FloorShape
 from uniteam.world.generation.plan.rect import Rect
 
 CELL = 5
@@ -21,6 +22,7 @@ _REACH = 48
 """How far from a thing's side the robot's centre may stand to get at it (cm)."""
 _FOOTHOLD = 25
 """How much room along that side it needs there (cm)."""
+_TOP_OF_WALLS = 1000
 
 
 @dataclass(frozen=True)
@@ -40,26 +42,31 @@ class RoomFloor:
     """A room while it is being furnished.
 
     Attributes:
-        inner: the floor between the walls' faces.
+        shape: the floor between the walls' faces.
+        inner: the rectangle around it.
         doors: rectangles on the floor before the doors, inside the room.
         windows: volumes before the windows.
     """
 
-    def __init__(self, inner: Rect, doors: Iterable[Rect], windows: Iterable[Volume]) -> None:
+    def __init__(self, shape: FloorShape, doors: Iterable[Rect], windows: Iterable[Volume]) -> None:
         """Start with an empty room.
 
         Args:
-            inner: the floor between the walls' faces.
+            shape: the floor between the walls' faces.
             doors: rectangles on the floor before the doors, inside the room; nothing may stand there.
             windows: volumes before windows; only what belongs at a window may stand there.
         """
-        self.inner = inner
+        self.shape = shape
+        self.inner = inner = shape.rect
         self.doors = tuple(doors)
         self.windows = tuple(windows)
-        self._volumes = _as_rows(Volume(door, 0, 210) for door in self.doors)
+        walls = (Volume(cut, 0, _TOP_OF_WALLS) for cut in shape.cuts)
+        self._volumes = _as_rows((*(Volume(door, 0, 210) for door in self.doors), *walls))
         rows, columns = -(-inner.depth // CELL), -(-inner.width // CELL)
         self._free = np.zeros((rows, columns), dtype=np.uint8)
         self._free[self._cells(inner.grown(-ROBOT_RADIUS))] = 1
+        for cut in shape.cuts:
+            self._free[self._cells(cut.grown(ROBOT_RADIUS))] = 0
         self._sides: list[tuple[tuple[slice, slice], ...]] = []
 
     def _cells(self, rect: Rect) -> tuple[slice, slice]:

@@ -9,31 +9,31 @@ from dataclasses import replace
 from uniteam.world.assets.model import Model
 from uniteam.world.generation.furniture.piece import Piece, Site, turned
 from uniteam.world.generation.furniture.room_floor import Volume
+from uniteam.world.generation.plan.floor_shape import FloorShape, WallRun
 from uniteam.world.generation.plan.rect import Rect
 
 _WALL_GAP = 2
 """Furniture stands clear of the baseboard (cm)."""
+_SPOTS = 40
+"""How many places are proposed for what stands anywhere."""
 
 
-def wall_run(inner: Rect, model: Model, quarters: int, z: float = 0.0) -> Iterator[tuple[int, Piece]]:
+def along_wall(run: WallRun, model: Model, z: float = 0.0) -> Iterator[tuple[int, Piece]]:
     """Yield (distance of its nearer end from the corner, piece) along the wall that its back is turned to."""
-    piece = Piece(model, 0, 0, quarters, z)
-    hx, hy = piece.half_size
-    start, end = (inner.y0, inner.y1) if quarters % 2 else (inner.x0, inner.x1)
-    for along in range(start + hx + _WALL_GAP, end - hx, 5):
-        corner = min(along - hx - start, end - along - hx)
-        x, y = _at_wall(inner, quarters, along, hy)
-        yield corner, replace(piece, x=x, y=y)
+    hx, hy = Piece(model, 0, 0, run.quarters, z).half_size
+    for along in range(run.start + hx + _WALL_GAP, run.end - hx, 5):
+        corner = min(along - hx - run.start, run.end - along - hx)
+        yield corner, Piece(model, *_at_wall(run, along, hy), run.quarters, z)
 
 
-def _at_wall(inner: Rect, quarters: int, along: int, half_depth: int) -> tuple[int, int]:
+def _at_wall(run: WallRun, along: int, half_depth: int) -> tuple[int, int]:
     gap = half_depth + _WALL_GAP
     return (
-        (along, inner.y1 - gap),
-        (inner.x0 + gap, along),
-        (along, inner.y0 + gap),
-        (inner.x1 - gap, along),
-    )[quarters]
+        (along, run.line - gap),
+        (run.line + gap, along),
+        (along, run.line + gap),
+        (run.line - gap, along),
+    )[run.quarters]
 
 
 def _ordered(scored: list[tuple[float, Piece]]) -> Iterator[Piece]:
@@ -43,49 +43,58 @@ def _ordered(scored: list[tuple[float, Piece]]) -> Iterator[Piece]:
 
 def against_wall(site: Site, model: Model) -> Iterator[Piece]:
     """Anywhere along the walls, back to the wall."""
-    runs = [p for q in range(4) for _, p in wall_run(site.inner, model, q)]
+    runs = [piece for run in site.floor.runs for _, piece in along_wall(run, model)]
     return (runs[i] for i in site.rng.permutation(len(runs)))
 
 
 def in_corner(site: Site, model: Model) -> Iterator[Piece]:
     """Along the walls, as near to a corner as it gets."""
-    noise = site.rng.integers(0, 30, size=4)
-    return _ordered([(c + noise[q], p) for q in range(4) for c, p in wall_run(site.inner, model, q)])
+    runs = site.floor.runs
+    noise = site.rng.integers(0, 30, size=len(runs))
+    return _ordered([(c + noise[i], p) for i, run in enumerate(runs) for c, p in along_wall(run, model)])
 
 
 def mid_wall(site: Site, model: Model) -> Iterator[Piece]:
     """Along the walls, as near to a wall's middle as it gets."""
-    noise = site.rng.integers(0, 60, size=4)
+    runs = site.floor.runs
+    noise = site.rng.integers(0, 60, size=len(runs))
     scored: list[tuple[float, Piece]] = []
-    for q in range(4):
-        run = list(wall_run(site.inner, model, q))
-        middle = max((corner for corner, _ in run), default=0)
-        scored += [(middle - corner + noise[q], piece) for corner, piece in run]
+    for i, run in enumerate(runs):
+        pieces = list(along_wall(run, model))
+        middle = max((corner for corner, _ in pieces), default=0)
+        scored += [(middle - corner + noise[i], piece) for corner, piece in pieces]
     return _ordered(scored)
 
 
 def under_window(site: Site, model: Model) -> Iterator[Piece]:
     """Under a window, in its middle: a radiator."""
     for i in site.rng.permutation(len(site.windows)):
-        yield before_window(site.inner, site.windows[i], model, 0.0)
+        yield before_window(site.floor, site.windows[i], model, 0.0)
 
 
-def before_window(inner: Rect, window: Volume, model: Model, z: float) -> Piece:
+def before_window(floor: FloorShape, window: Volume, model: Model, z: float) -> Piece:
     """Return the model with its back to the wall of a window, in line with its middle."""
     rect = window.rect
-    quarters = 0 if rect.y1 > inner.y1 else 1 if rect.x0 < inner.x0 else 2 if rect.y0 < inner.y0 else 3
-    piece = Piece(model, 0, 0, quarters, z)
-    along = (rect.y0 + rect.y1) // 2 if quarters % 2 else (rect.x0 + rect.x1) // 2
-    x, y = _at_wall(inner, quarters, along, piece.half_size[1])
+    run = next(run for run in floor.runs if _is_in(run, rect))
+    piece = Piece(model, 0, 0, run.quarters, z)
+    along = (rect.y0 + rect.y1) // 2 if run.quarters % 2 else (rect.x0 + rect.x1) // 2
+    x, y = _at_wall(run, along, piece.half_size[1])
     return replace(piece, x=x, y=y)
+
+
+def _is_in(run: WallRun, window: Rect) -> bool:
+    """Say whether a window, as the floor before and behind it, is in a wall."""
+    along, across = ((window.x0, window.x1), (window.y0, window.y1))[:: -1 if run.quarters % 2 else 1]
+    return across[0] < run.line < across[1] and along[0] < run.end and run.start < along[1]
 
 
 def opposite(site: Site, model: Model) -> Iterator[Piece]:
     """At the wall that the anchor faces, in line with it, facing it."""
     anchor = site.the_anchor
-    run = wall_run(site.inner, model, (anchor.quarters + 2) % 4)
+    runs = [run for run in site.floor.runs if run.quarters == (anchor.quarters + 2) % 4]
+    pieces = [piece for run in runs for _, piece in along_wall(run, model)]
     ahead = anchor.quarters % 2
-    return _ordered([(abs(p.y - anchor.y if ahead else p.x - anchor.x), p) for _, p in run])
+    return _ordered([(abs(p.y - anchor.y if ahead else p.x - anchor.x), p) for p in pieces])
 
 
 def beside(site: Site, model: Model) -> Iterator[Piece]:
@@ -129,11 +138,23 @@ def _in_front(site: Site, model: Model, gap: int) -> Iterator[Piece]:
 
 def around(site: Site, model: Model) -> Iterator[Piece]:
     """At the seats of the anchor table, facing it; seats at the long sides first."""
-    anchor = site.the_anchor
     degrees = int(site.rng.integers(-7, 8))
     chair = Piece(model, 0, 0, 0, 0, degrees)
+    return _seated(site, chair, int(site.rng.integers(2, 9)))
+
+
+def pulled_out(site: Site, model: Model) -> Iterator[Piece]:
+    """At the seats of the anchor table, pulled back and turned as somebody left them."""
+    chair = Piece(model, 0, 0, 0, 0, int(site.rng.integers(-38, 39)))
+    gaps = sorted({int(gap) for gap in site.rng.integers(2, 46, size=2)}, reverse=True)
+    for gap in gaps:
+        yield from _seated(site, chair, gap)
+
+
+def _seated(site: Site, chair: Piece, gap: int) -> Iterator[Piece]:
+    """Yield a chair at every seat of the anchor table, `gap` (cm) away from it."""
+    anchor = site.the_anchor
     (ax, ay), (hx, hy) = anchor.half_size, chair.half_size
-    gap = int(site.rng.integers(2, 9))
     seats = []
     for quarters, length, distance in ((0, ax, ay), (2, ax, ay), (1, ay, ax), (3, ay, ax)):
         count = max(1, 2 * length // (2 * hx + 8)) if length > 30 else 1
@@ -144,6 +165,14 @@ def around(site: Site, model: Model) -> Iterator[Piece]:
             seats.append((-length, replace(chair, x=x, y=y, quarters=(anchor.quarters + quarters) % 4)))
     noise = site.rng.permutation(len(seats))
     return _ordered([(score + noise[i] / 1000, seat) for i, (score, seat) in enumerate(seats)])
+
+
+def left_about(site: Site, model: Model) -> Iterator[Piece]:
+    """Anywhere on the floor, turned anyhow: what was used last and not put back."""
+    inner, rng = site.floor.rect, site.rng
+    for _ in range(_SPOTS):
+        x, y = int(rng.integers(inner.x0, inner.x1)), int(rng.integers(inner.y0, inner.y1))
+        yield Piece(model, x, y, int(rng.integers(4)), 0.0, int(rng.integers(-40, 41)))
 
 
 def facing(site: Site, model: Model) -> Iterator[Piece]:
@@ -161,7 +190,7 @@ def facing(site: Site, model: Model) -> Iterator[Piece]:
 
 def in_middle(site: Site, model: Model) -> Iterator[Piece]:
     """Near the room's middle, long side along the room's."""
-    inner = site.inner
+    inner = site.floor.heart
     quarters = int((inner.depth > inner.width) == (model.size[0] > model.size[1])) + 2 * int(site.rng.integers(2))
     x, y = (inner.x0 + inner.x1) // 2, (inner.y0 + inner.y1) // 2
     shifts = [(dx, dy) for dx in range(-100, 101, 20) for dy in range(-100, 101, 20)]

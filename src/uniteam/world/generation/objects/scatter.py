@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,16 +15,62 @@ from uniteam.world.assets.model import Model, SupportSurface
 from uniteam.world.generation.objects.stock import ObjectStock
 from uniteam.world.homes.home import Instance
 
-MIN_OBJECT_COUNT, MAX_OBJECT_COUNT = 20, 60
-_DROP = 0.006
-"""How far above its surface an object starts (m)."""
-_EDGE = 0.015
-"""How far from a surface's edge and from each other objects stay (m)."""
-_HIGHEST = 1.25
-"""Surfaces above this are out of the robot's sight and reach, and stay clear (m)."""
+DROP = 0.006
+"""How far above what it will lie on an object starts (m)."""
 
-_MOST_ON_ONE = 7
-"""No piece of furniture holds more objects than this."""
+Footprint = NDArray[np.float64]
+"""(4, 2) corners of what an object covers, with its margin (m, world)."""
+Spot = Callable[[NDArray[np.float64], NDArray[np.float64], Sequence[Footprint], Generator], NDArray[np.float64]]
+"""Returns a point (2,) to try, from the lowest and highest corner (2,) of a surface and from what stands on it."""
+
+
+@dataclass(frozen=True)
+class Clutter:
+    """How many objects lie about, and where.
+
+    Attributes:
+        fewest: a home that holds fewer is not kept.
+        wanted: the range from which the number to put is drawn, the last excluded.
+        highest: surfaces above this stay clear (m).
+        most_on_one: no piece of furniture holds more.
+        bare_share: of the pieces of furniture, that hold nothing.
+        per_area: how many more may lie on each square metre.
+        edge: how far from a surface's edge and from each other objects stay (m).
+        spot: where on a surface to try.
+        fitting, frequent: the shares of objects that fit their room, and that are of a class frequent in the home.
+    """
+
+    fewest: int
+    wanted: tuple[int, int]
+    highest: float
+    most_on_one: int
+    bare_share: float
+    per_area: float
+    edge: float
+    spot: Spot
+    fitting: float
+    frequent: float
+
+
+def anywhere(
+    low: NDArray[np.float64], high: NDArray[np.float64], taken: Sequence[Footprint], rng: Generator
+) -> NDArray[np.float64]:
+    """Return any point of a surface's box."""
+    return np.asarray(low + (high - low) * rng.random(2))
+
+
+def often_beside(
+    low: NDArray[np.float64], high: NDArray[np.float64], taken: Sequence[Footprint], rng: Generator
+) -> NDArray[np.float64]:
+    """Return a point close to something that stands there already as often as any point."""
+    if not taken or rng.random() < 0.5:
+        return anywhere(low, high, taken, rng)
+    middle = taken[int(rng.integers(len(taken)))].mean(axis=0)
+    return np.asarray(middle + rng.uniform(-_BESIDE, _BESIDE, size=2))
+
+
+_BESIDE = 0.22
+"""m."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +97,7 @@ class _Support:
 
 
 def scatter(
-    furniture: Sequence[Instance], room_kinds: Mapping[str, str], stock: ObjectStock, rng: Generator
+    furniture: Sequence[Instance], room_kinds: Mapping[str, str], stock: ObjectStock, clutter: Clutter, rng: Generator
 ) -> tuple[Instance, ...]:
     """Return objects a hair above the surfaces of the furniture.
 
@@ -59,12 +105,14 @@ def scatter(
         furniture: everything that stands in the home.
         room_kinds: the kind of each room by its name.
         stock: the models that may lie about.
+        clutter: how many, and where.
         rng: for every choice.
     """
-    supports = [support for piece in furniture for support in _supports(piece, stock.catalogue, room_kinds[piece.room])]
+    found = (support for i in furniture for support in _supports(i, stock.catalogue, room_kinds[i.room]))
+    supports = [support for support in found if support.height <= clutter.highest]
     footprints = [_rectangle(stock.catalogue[piece.model], piece.model_to_world()) for piece in furniture]
-    space = _quotas(supports, rng)
-    wanted = int(rng.integers(MIN_OBJECT_COUNT + 8, MAX_OBJECT_COUNT - 5))
+    space = _quotas(supports, clutter, rng)
+    wanted = int(rng.integers(*clutter.wanted))
     objects: list[Instance] = []
     boxes: dict[int, list[NDArray[np.float64]]] = {}
     for index in _visits(supports, space, 8 * wanted, rng):
@@ -72,7 +120,7 @@ def scatter(
         if space[support.furniture.name] == 0:
             continue
         taken = boxes.setdefault(index, _standing_on(support, furniture, footprints))
-        put = _try_support(support, taken, stock.choose(support.room_kind, rng), rng)
+        put = _try_support(support, taken, stock.choose(support.room_kind, rng), clutter, rng)
         if put is not None:
             objects.append(put[0])
             taken.append(put[1])
@@ -82,13 +130,15 @@ def scatter(
     return tuple(objects)
 
 
-def _quotas(supports: Sequence[_Support], rng: Generator) -> dict[str, int]:
-    """Return how many objects each piece of furniture may hold: none for one in five, few on small ones."""
+def _quotas(supports: Sequence[_Support], clutter: Clutter, rng: Generator) -> dict[str, int]:
+    """Return how many objects each piece of furniture may hold: none on some, few on small ones."""
     areas: dict[str, float] = {}
     for support in supports:
         areas[support.furniture.name] = areas.get(support.furniture.name, 0.0) + support.area
     return {
-        name: 0 if rng.random() < 0.2 else 1 + min(_MOST_ON_ONE - 1, int(rng.integers(0, 2 + int(6 * area))))
+        name: 0
+        if rng.random() < clutter.bare_share
+        else 1 + min(clutter.most_on_one - 1, int(rng.integers(0, 2 + int(clutter.per_area * area))))
         for name, area in sorted(areas.items())
     }
 
@@ -100,8 +150,7 @@ def _supports(piece: Instance, catalogue: Catalogue, room_kind: str) -> Iterator
     to_world = piece.model_to_world()
     for surface in model.surfaces:
         height = surface.height + piece.position[2]
-        if height <= _HIGHEST:
-            yield _Support(piece, _outline(surface, to_world), height, surface.clearance, room_kind)
+        yield _Support(piece, _outline(surface, to_world), height, surface.clearance, room_kind)
 
 
 def _outline(surface: SupportSurface, to_world: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -142,19 +191,19 @@ def _standing_on(
 
 
 def _try_support(
-    support: _Support, taken: Sequence[NDArray[np.float64]], model: Model, rng: Generator
-) -> tuple[Instance, NDArray[np.float64]] | None:
+    support: _Support, taken: Sequence[Footprint], model: Model, clutter: Clutter, rng: Generator
+) -> tuple[Instance, Footprint] | None:
     """Return the object at a random spot of the support where it fits, with its footprint; None where it does not."""
     if model.size[2] + 0.02 > support.clearance:
         return None
     low, high = support.outline.min(axis=0), support.outline.max(axis=0)
     for _ in range(6):
-        x, y = (round(float(v), 4) for v in low + (high - low) * rng.random(2))
+        x, y = (round(float(v), 4) for v in clutter.spot(low, high, taken, rng))
         yaw = math.radians(int(rng.integers(360)))
         quaternion = tuple(round(q, 9) for q in yaw_quaternion(yaw))
-        position = (x, y, round(support.height + _DROP, 4))
+        position = (x, y, round(support.height + DROP, 4))
         instance = Instance("", model.id, model.category, True, position, quaternion, support.furniture.room)  # type: ignore[arg-type]
-        corners = _rectangle(model, instance.model_to_world(), _EDGE)
+        corners = _rectangle(model, instance.model_to_world(), clutter.edge)
         if _inside(corners, support.outline) and not any(_overlap(corners, other) for other in taken):
             return instance, corners
     return None

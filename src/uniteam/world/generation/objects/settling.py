@@ -1,6 +1,7 @@
-"""Let the objects of a drawn home come to rest, keep those that lie on a receptacle, and say which one it is."""
+"""Let the objects of a drawn home come to rest, keep those that lie where they should, and say what holds them."""
 
 from collections import Counter
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import mujoco
@@ -8,7 +9,11 @@ import numpy as np
 
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 from uniteam.world.homes.home import Home, Instance
-from uniteam.world.physics.physics import Physics
+from uniteam.world.physics.physics import Contact, Physics
+from uniteam.world.physics.physics_model import FLOOR
+
+ON_FLOOR = 0.02
+"""What is put lower than this (m) is meant to lie on the floor."""
 
 _SECONDS = 2.0
 _MAX_SLIDE = 0.25
@@ -23,14 +28,16 @@ def resting_on(home: Home, physics: Physics | None = None) -> dict[str, str]:
         physics: of this home, where there is one already.
     """
     physics = Physics(home) if physics is None else physics
-    holders = {name: _holder(home, physics, name) for name in physics.names}
+    holders = {name: _holder(home, contacts) for name, contacts in physics.all_contacts().items()}
     return {name: holder for name, holder in holders.items() if holder is not None}
 
 
-def _holder(home: Home, physics: Physics, name: str) -> str | None:
+def _holder(home: Home, contacts: Sequence[Contact]) -> str | None:
+    if _is_on_floor(contacts):
+        return None  # it leans against furniture at most
     touched = Counter(
         contact.other
-        for contact in physics.contacts(name)
+        for contact in contacts
         if contact.other in home.by_name and home.by_name[contact.other].category in RECEPTACLE_CATEGORIES
     )
     return min(touched, key=lambda other: (-touched[other], other)) if touched else None
@@ -42,7 +49,8 @@ def settle(home: Home) -> Home:
     kept = set(physics.names)
     for _ in range(3):
         physics.settle(sorted(kept), _SECONDS)
-        lost = {name for name in kept if not _lies_well(home, physics, name)}
+        contacts = physics.all_contacts()
+        lost = {name for name in kept if not _lies_well(home, physics, name, contacts[name])}
         for name in sorted(lost):
             physics.remove(name)
         kept -= lost
@@ -52,11 +60,18 @@ def settle(home: Home) -> Home:
     return replace(home, instances=tuple(_settled(i, physics) if i.movable else i for i in things))
 
 
-def _lies_well(home: Home, physics: Physics, name: str) -> bool:
-    moved = np.linalg.norm(physics.pose(name)[:3, 3] - home.by_name[name].position)
-    if moved > _MAX_SLIDE or not physics.is_at_rest(name) or "floor" in physics.touching(name):
+def _lies_well(home: Home, physics: Physics, name: str, contacts: Sequence[Contact]) -> bool:
+    put = home.by_name[name].position
+    moved = np.linalg.norm(physics.pose(name)[:3, 3] - put)
+    if moved > _MAX_SLIDE or not physics.is_at_rest(name):
         return False
-    return _holder(home, physics, name) is not None
+    if put[2] < ON_FLOOR:
+        return _is_on_floor(contacts)
+    return _holder(home, contacts) is not None
+
+
+def _is_on_floor(contacts: Iterable[Contact]) -> bool:
+    return any(contact.other == FLOOR for contact in contacts)
 
 
 def _settled(instance: Instance, physics: Physics) -> Instance:

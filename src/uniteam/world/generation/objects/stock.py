@@ -1,6 +1,6 @@
 """Which graspable objects a home may hold, and which are likely in which room."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from numpy.random import Generator
 
@@ -54,8 +54,19 @@ _FITTING_ROOMS: Mapping[str, tuple[str, ...]] = {
 class ObjectStock:
     """The graspable objects a home of one pool may hold, and the few categories that occur again and again in it."""
 
-    def __init__(self, catalogue: Catalogue, pool: Pool, rng: Generator) -> None:
+    def __init__(
+        self, catalogue: Catalogue, pool: Pool, rng: Generator, fitting: float = 0.4, frequent: float = 0.2
+    ) -> None:
+        """Draw the categories that are frequent in the home.
+
+        Args:
+            catalogue, pool: of the models.
+            rng: for the draw.
+            fitting: the share of what is chosen for its room.
+            frequent: the share of what is chosen among the frequent categories.
+        """
         self.catalogue = catalogue
+        self._fitting, self._frequent_from = fitting, fitting + frequent
         self._models: dict[str, list[Model]] = {}
         for model in sorted(catalogue.models.values(), key=lambda m: m.id):
             if model.role == "object" and _is_allowed(model, catalogue, pool):
@@ -65,16 +76,24 @@ class ObjectStock:
         self._frequent = [str(name) for name in rng.choice(self._categories, size=size, replace=False)]
 
     def choose(self, room_kind: str, rng: Generator) -> Model:
-        """Return a model: often one that fits the room or is frequent in this home, as often any."""
+        """Return a model: often one that fits the room or is frequent in this home, else any."""
         fitting = [name for name in self._categories if name in _FITTING_ROOMS.get(room_kind, ())]
         draw = rng.random()
-        if draw < 0.4 and fitting:
+        if draw < self._fitting and fitting:
             names = fitting
-        elif draw < 0.6:
+        elif draw < self._frequent_from:
             names = self._frequent
         else:
             names = self._categories
-        models = self._models[names[int(rng.integers(len(names)))]]
+        return self.of(names[int(rng.integers(len(names)))], rng)
+
+    def known(self, categories: Iterable[str]) -> list[str]:
+        """Return those of some categories of which there is a model, in their order."""
+        return [name for name in categories if name in self._models]
+
+    def of(self, category: str, rng: Generator) -> Model:
+        """Return any model of a category that there is."""
+        models = self._models[category]
         return models[int(rng.integers(len(models)))]
 
 

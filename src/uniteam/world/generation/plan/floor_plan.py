@@ -12,6 +12,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.random import Generator
 
+from uniteam.world.generation.plan.planned_room import FloorPlan, PlannedRoom, named_plan, turned_plan
 from uniteam.world.generation.plan.rect import Rect
 
 DAY_KINDS = ("living_room", "kitchen", "dining_room")
@@ -41,16 +42,6 @@ ROOM_SIZES = {
 }
 
 
-@dataclass(frozen=True)
-class PlannedRoom:
-    """A room of the plan: its name, kind and rectangle between the walls' centre lines."""
-
-    name: str
-    kind: str
-    rect: Rect
-
-
-FloorPlan = tuple[PlannedRoom, ...]
 _Stack = tuple[str, ...]
 
 
@@ -60,7 +51,8 @@ def draw_floor_plan(rng: Generator) -> FloorPlan:
     while True:
         rooms = _columns(rng, count) if count == 4 or (count == 5 and rng.random() < 0.6) else _hall(rng, count)
         if _is_usable(rooms):
-            return _named(_turned(rooms, int(rng.integers(4)), bool(rng.integers(2))))
+            drawn = [PlannedRoom("", kind, rect) for kind, rect in rooms]
+            return named_plan(turned_plan(drawn, int(rng.integers(4)), bool(rng.integers(2))))
 
 
 def _is_usable(rooms: Sequence[tuple[str, Rect]]) -> bool:
@@ -75,7 +67,8 @@ def _is_usable_room(kind: str, rect: Rect) -> bool:
     return in_area and shortest >= size.shortest and longest <= size.aspect * shortest
 
 
-def _rounded(length: float) -> int:
+def rounded(length: float) -> int:
+    """Return a length as whole steps of the plan (cm)."""
     return _STEP * round(length / _STEP)
 
 
@@ -83,17 +76,17 @@ def _areas(rng: Generator, kinds: Sequence[str]) -> list[float]:
     return [float(rng.uniform(*ROOM_SIZES[kind].area)) for kind in kinds]
 
 
-def _cuts(start: int, end: int, shares: Sequence[float]) -> list[int]:
+def cut_in_shares(start: int, end: int, shares: Sequence[float]) -> list[int]:
     """Return the borders that cut [start, end] in proportion to `shares`."""
-    inner = [start + _rounded((end - start) * part / sum(shares)) for part in np.cumsum(shares)[:-1]]
+    inner = [start + rounded((end - start) * part / sum(shares)) for part in np.cumsum(shares)[:-1]]
     return [start, *inner, end]
 
 
 def _stack(rng: Generator, kinds: _Stack, x0: int, y0: int, height: int) -> list[tuple[str, Rect]]:
     """Return rooms above one another from (x0, y0), as wide as their areas ask."""
     areas = _areas(rng, kinds)
-    x1 = x0 + max(_rounded(sum(areas) * 1e4 / height), 180)
-    borders = _cuts(y0, y0 + height, areas)
+    x1 = x0 + max(rounded(sum(areas) * 1e4 / height), 180)
+    borders = cut_in_shares(y0, y0 + height, areas)
     return [(kind, Rect(x0, low, x1, high)) for kind, (low, high) in zip(kinds, pairwise(borders), strict=True)]
 
 
@@ -123,7 +116,7 @@ _COLUMN_PLANS: dict[int, tuple[tuple[_Stack, ...], ...]] = {
 
 def _columns(rng: Generator, count: int) -> list[tuple[str, Rect]]:
     plans = _COLUMN_PLANS[count]
-    return _row(rng, plans[rng.integers(len(plans))], 0, 0, _rounded(rng.uniform(560, 860)))
+    return _row(rng, plans[rng.integers(len(plans))], 0, 0, rounded(rng.uniform(560, 860)))
 
 
 def _extra_kinds(rng: Generator, count: int) -> list[str]:
@@ -165,8 +158,8 @@ def _hall_with_cap(rng: Generator, day: Sequence[str], night: Sequence[str]) -> 
 
 
 def _hall_between(rng: Generator, south: Sequence[_Stack], north: Sequence[_Stack]) -> list[tuple[str, Rect]]:
-    hall_width = _rounded(rng.uniform(140, 200))
-    south_depth, north_depth = (_rounded(rng.uniform(300, 460)) for _ in range(2))
+    hall_width = rounded(rng.uniform(140, 200))
+    south_depth, north_depth = (rounded(rng.uniform(300, 460)) for _ in range(2))
     lower = _row(rng, south, 0, -south_depth, south_depth)
     upper = _row(rng, north, 0, hall_width, north_depth)
     lower, upper = _evened(lower, upper)
@@ -186,25 +179,3 @@ def _evened(
         kind, rect = rooms[-1]
         rooms[-1] = (kind, Rect(rect.x0, rect.y0, max(ends), rect.y1))
     return lower, upper
-
-
-def _turned(rooms: Sequence[tuple[str, Rect]], quarters: int, mirrored: bool) -> list[tuple[str, Rect]]:
-    """Return the plan turned and mirrored, with its lower left corner at the origin."""
-    turned = []
-    for kind, r in rooms:
-        if mirrored:
-            r = Rect(-r.x1, r.y0, -r.x0, r.y1)
-        for _ in range(quarters):
-            r = Rect(-r.y1, r.x0, -r.y0, r.x1)
-        turned.append((kind, r))
-    x, y = min(r.x0 for _, r in turned), min(r.y0 for _, r in turned)
-    return [(kind, Rect(r.x0 - x, r.y0 - y, r.x1 - x, r.y1 - y)) for kind, r in turned]
-
-
-def _named(rooms: Sequence[tuple[str, Rect]]) -> FloorPlan:
-    counts: dict[str, int] = {}
-    named = []
-    for kind, rect in rooms:
-        counts[kind] = counts.get(kind, 0) + 1
-        named.append(PlannedRoom(f"{kind}_{counts[kind]}", kind, rect))
-    return tuple(named)

@@ -11,7 +11,7 @@ from typing import Literal
 
 from numpy.random import Generator
 
-from uniteam.world.generation.plan.floor_plan import FloorPlan
+from uniteam.world.generation.plan.planned_room import FloorPlan
 from uniteam.world.generation.plan.rect import Rect
 
 WALL_THICKNESS = 12
@@ -68,15 +68,21 @@ class PlannedWall:
         return Rect(self.across - depth, start, self.across + depth, end)
 
 
-def draw_walls(plan: FloorPlan, rng: Generator) -> tuple[PlannedWall, ...] | None:
-    """Return the plan's walls with their openings, or None where some room cannot be reached as it should."""
+def draw_walls(plan: FloorPlan, door_widths: Sequence[int], rng: Generator) -> tuple[PlannedWall, ...] | None:
+    """Return the plan's walls with their openings, or None where some room cannot be reached as it should.
+
+    Args:
+        plan: the rooms.
+        door_widths: those that a door may have (cm).
+        rng: for every choice.
+    """
     walls = [*_walls_along(plan, True), *_walls_along(plan, False)]
     openings: dict[int, list[PlannedOpening]] = {index: [] for index in range(len(walls))}
     joints = _chosen_joints(plan, walls, rng)
     if joints is None:
         return None
     for index in joints:
-        openings[index].append(_way_through(plan, walls[index], rng))
+        openings[index].append(_way_through(plan, walls[index], door_widths, rng))
     for index, wall in enumerate(walls):
         if wall.is_exterior:
             openings[index] += _windows(plan, wall, rng)
@@ -87,26 +93,32 @@ def draw_walls(plan: FloorPlan, rng: Generator) -> tuple[PlannedWall, ...] | Non
 
 def _walls_along(plan: FloorPlan, horizontal: bool) -> Iterator[PlannedWall]:
     """Yield the walls of one direction, cut at every corner of a room that touches them."""
-    spans = [_as_spans(room.rect, horizontal) for room in plan]
-    for across in sorted({line for _, _, low, high in spans for line in (low, high)}):
+    spans = [_as_span(part, i, horizontal) for i, room in enumerate(plan) for part in room.floor.parts]
+    for across in sorted({line for span in spans for line in span[2:4]}):
         touching = [s for s in spans if across in (s[2], s[3])]
         ends = sorted({end for s in touching for end in s[:2]})
+        walls: list[PlannedWall] = []
         for start, end in pairwise(ends):
-            below = _room_at(spans, start, end, across, 3)
-            above = _room_at(spans, start, end, across, 2)
-            if below is not None or above is not None:
-                yield PlannedWall(horizontal, across, start, end, (below, above))
+            rooms = (_room_at(spans, start, end, across, 3), _room_at(spans, start, end, across, 2))
+            if rooms[0] == rooms[1]:  # the same room on both sides, or none
+                continue
+            if walls and walls[-1].end == start and walls[-1].rooms == rooms:  # the parts of a room meet here
+                start = walls.pop().start
+            walls.append(PlannedWall(horizontal, across, start, end, rooms))
+        yield from walls
 
 
-def _as_spans(rect: Rect, horizontal: bool) -> tuple[int, int, int, int]:
-    """Return (start, end) along and (low, high) across the direction."""
-    return (rect.x0, rect.x1, rect.y0, rect.y1) if horizontal else (rect.y0, rect.y1, rect.x0, rect.x1)
+_Span = tuple[int, int, int, int, int]
 
 
-def _room_at(
-    spans: Sequence[tuple[int, int, int, int]], start: int, end: int, across: int, side: Literal[2, 3]
-) -> int | None:
-    found = (i for i, span in enumerate(spans) if span[side] == across and span[0] <= start and end <= span[1])
+def _as_span(rect: Rect, room: int, horizontal: bool) -> _Span:
+    """Return (start, end) along and (low, high) across the direction, and the room."""
+    sides = (rect.x0, rect.x1, rect.y0, rect.y1) if horizontal else (rect.y0, rect.y1, rect.x0, rect.x1)
+    return (*sides, room)
+
+
+def _room_at(spans: Sequence[_Span], start: int, end: int, across: int, side: Literal[2, 3]) -> int | None:
+    found = (span[4] for span in spans if span[side] == across and span[0] <= start and end <= span[1])
     return next(found, None)
 
 
@@ -178,15 +190,15 @@ _OPEN_PAIRS = {
 """How often these rooms meet in a passage rather than a door."""
 
 
-def _way_through(plan: FloorPlan, wall: PlannedWall, rng: Generator) -> PlannedOpening:
-    """Return a passage or a door of at least 0.9 m, at the middle or near an end of the wall."""
+def _way_through(plan: FloorPlan, wall: PlannedWall, door_widths: Sequence[int], rng: Generator) -> PlannedOpening:
+    """Return a passage, or a door at the middle or near an end of the wall."""
     pair = frozenset(plan[room].kind for room in wall.rooms if room is not None)
     room_left = wall.length - 2 * _CORNER
     if rng.random() < _OPEN_PAIRS.get(pair, 0.0) and room_left >= 120:
         width = 10 * int(rng.integers(12, 1 + min(room_left, 240) // 10))
         start = _CORNER + int(rng.integers(0, 3)) * (room_left - width) // 2
         return PlannedOpening("passage", start, start + width, 0, 230)
-    width = int(rng.choice([90, 95, 100]))
+    width = int(rng.choice(door_widths))
     spare = room_left - width
     offset = min(int(rng.choice([0, 10, 30])), spare)
     start = _CORNER + (offset if rng.random() < 0.5 else spare - offset)

@@ -38,3 +38,11 @@ class Rect:
     def grown(self, margin: int) -> "Rect":
         """Return the rectangle with every side moved out by `margin` (cm; negative shrinks)."""
         return Rect(self.x0 - margin, self.y0 - margin, self.x1 + margin, self.y1 + margin)
+
+    def clipped(self, bounds: "Rect") -> "Rect":
+        """Return what of the rectangle lies within another, which it meets."""
+        return Rect(max(self.x0, bounds.x0), max(self.y0, bounds.y0), min(self.x1, bounds.x1), min(self.y1, bounds.y1))
+
+    def shifted(self, x: int, y: int) -> "Rect":
+        """Return the rectangle moved by x and y (cm)."""
+        return Rect(self.x0 + x, self.y0 + y, self.x1 + x, self.y1 + y)

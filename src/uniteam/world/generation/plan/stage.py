@@ -8,10 +8,9 @@ from numpy.random import Generator
 from uniteam.geometry import Point3
 from uniteam.world.assets.catalogue import Catalogue
 from uniteam.world.assets.textures import TextureKind
-from uniteam.world.generation.plan.floor_plan import FloorPlan, PlannedRoom
 from uniteam.world.generation.plan.openings import WALL_THICKNESS, PlannedWall
+from uniteam.world.generation.plan.planned_room import FloorPlan, PlannedRoom
 from uniteam.world.homes.home import Light, Opening, Room, Stage, Wall
-from uniteam.world.homes.polygon import rectangle
 
 _WOODEN = ("planks", "parquet", "wooden")
 _CARPET = ("carpet",)
@@ -73,9 +72,11 @@ class Decorator:
         own_floor = self._texture("floor", _FLOORS.get(room.kind, (_WOODEN,)))
         floor = common_floor if room.kind not in _FLOORS and self.rng.random() < 0.6 else own_floor
         wall = self._texture("wall", _WALLS.get(room.kind, _PLAIN_WALLS))
-        low, high = (room.rect.x0 / 100, room.rect.y0 / 100), (room.rect.x1 / 100, room.rect.y1 / 100)
-        light = self._light(((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, ceiling / 100 - 0.3))
-        return Room(room.name, room.kind, rectangle(low, high), floor, wall, tint, light)
+        outline = tuple((x / 100, y / 100) for x, y in room.floor.outline)
+        heart = room.floor.heart
+        x, y = (heart.x0 / 100 + heart.x1 / 100) / 2, (heart.y0 / 100 + heart.y1 / 100) / 2
+        light = self._light((x, y, ceiling / 100 - 0.3))
+        return Room(room.name, room.kind, outline, floor, wall, tint, light)
 
     def _light(self, position: Point3) -> Light:
         x, y, z = (round(value, 3) for value in position)

@@ -1,0 +1,115 @@
+"""What lies on the floor of a home that is lived in: shoes, toys, bags, boxes, laundry, in heaps and by themselves.
+
+Most of it lies at walls and furniture, some in the way. It is placed on the floor that the robot can see to be free, so
+nothing lies in anything; a home whose ways it shuts is drawn anew by whoever asks for it.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.random import Generator
+from numpy.typing import NDArray
+
+from uniteam.geometry import Point2, yaw_quaternion
+from uniteam.world.assets.model import Model
+from uniteam.world.generation.objects.scatter import DROP
+from uniteam.world.generation.objects.stock import ObjectStock
+from uniteam.world.homes.home import Home, Instance, Room
+from uniteam.world.physics.navigable_floor import NavigableFloor
+
+_TOYS = (
+    "ball", "board_game", "doll", "puzzle_cube", "stuffed_toy", "toy_airplane", "toy_construction_set", "toy_vehicle",
+    "xylophone", "action_figure",
+)  # fmt: skip
+_BAGS = ("backpack", "briefcase", "handbag")
+_LAUNDRY = ("basket", "folded_clothes", "sock", "towel")
+
+_BY_ROOM: Mapping[str, tuple[str, ...]] = {
+    "hall": ("shoe", "shoe", "shoe", *_BAGS, "ball", "box", "basket", "umbrella"),
+    "living_room": (*_TOYS, *_BAGS, "book", "box", "cushion", "game_controller", "newspaper", "shoe"),
+    "bedroom": (*_TOYS, *_BAGS, *_LAUNDRY, "book", "cushion", "dumbbell", "shoe", "shoe"),
+    "office": (*_BAGS, "basket", "book", "box", "dumbbell", "newspaper", "notebook"),
+    "kitchen": ("basket", "bottle", "box", "paper_towel", "wine_bottle"),
+    "dining_room": (*_TOYS, *_BAGS, "box"),
+    "bathroom": ("basket", "folded_clothes", "scale", "toilet_brush", "towel"),
+    "laundry": (*_LAUNDRY, "bottle", "box"),
+}  # fmt: skip
+_PER_AREA = 0.22
+"""How many things lie on a square metre at most, beside the one that may lie anywhere."""
+_MOST_IN_ROOM = 6
+_HEAP_CHANCE = 0.5
+"""That a thing lies near the one before."""
+_HEAP = 0.7
+"""m."""
+_AT_EDGE_CHANCE = 0.75
+_EDGE = 0.25
+"""What lies at a wall or at furniture is so near to it (m)."""
+_GAP = 0.02
+_TRIES = 12
+
+
+@dataclass(frozen=True)
+class _Spot:
+    x: float
+    y: float
+    radius: float
+
+
+def scatter_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Instance, ...]:
+    """Return things a hair above the floor of a home that has no objects yet."""
+    floor = NavigableFloor(home)
+    return tuple(thing for room in home.stage.rooms for thing in _in_room(room, floor, stock, rng))
+
+
+def no_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Instance, ...]:
+    """Return nothing: a tidy home's floor is clear."""
+    return ()
+
+
+def _in_room(room: Room, floor: NavigableFloor, stock: ObjectStock, rng: Generator) -> Iterator[Instance]:
+    """Yield what lies in a room."""
+    categories = stock.known(_BY_ROOM.get(room.kind, ()))
+    count = min(_MOST_IN_ROOM, int(rng.integers(0, 2 + int(_PER_AREA * room.area))))
+    cells = _free_cells(room, floor)
+    if not categories or len(cells) == 0:
+        return
+    placed: list[_Spot] = []
+    for _ in range(count):
+        model = stock.of(categories[int(rng.integers(len(categories)))], rng)
+        spot = _spot(model, cells, floor, placed, rng)
+        if spot is not None:
+            placed.append(spot)
+            yield _lying(model, spot, room, rng)
+
+
+def _free_cells(room: Room, floor: NavigableFloor) -> NDArray[np.int64]:
+    """Return the (N, 2) cells of a room's floor that nothing stands on."""
+    (top, left), (bottom, right) = floor.to_cell(*room.low), floor.to_cell(*room.high)
+    cells = np.argwhere(floor.cells[top:bottom, left:right] > _GAP)[::3]
+    return np.asarray(cells + np.array([top, left]))
+
+
+def _spot(
+    model: Model, cells: NDArray[np.int64], floor: NavigableFloor, placed: list[_Spot], rng: Generator
+) -> _Spot | None:
+    """Return where a thing may lie, or None where nothing was found."""
+    radius = float(np.hypot(*model.size[:2])) / 2
+    clear = floor.cells[cells[:, 0], cells[:, 1]]
+    least, most = radius + _GAP, radius + (_EDGE if rng.random() < _AT_EDGE_CHANCE else 10.0)
+    fitting = cells[(clear >= least) & (clear <= most)]
+    near = placed[-1] if placed and rng.random() < _HEAP_CHANCE else None
+    for row, column in rng.permutation(fitting)[: _TRIES if near is None else 20 * _TRIES]:
+        x, y = floor.to_point(row, column)
+        if near is not None and np.hypot(x - near.x, y - near.y) > _HEAP:
+            continue
+        if all(np.hypot(x - other.x, y - other.y) >= radius + other.radius + _GAP for other in placed):
+            return _Spot(x, y, radius)
+    return None
+
+
+def _lying(model: Model, spot: _Spot, room: Room, rng: Generator) -> Instance:
+    yaw = np.radians(int(rng.integers(360)))
+    w, x, y, z = (round(q, 9) for q in yaw_quaternion(yaw))
+    place: Point2 = (round(spot.x, 4), round(spot.y, 4))
+    return Instance("", model.id, model.category, True, (*place, DROP), (w, x, y, z), room.name)
