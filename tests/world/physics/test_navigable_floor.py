@@ -74,3 +74,18 @@ def test_largest_component_joins_rooms_through_the_door_and_cells_map_to_points(
         assert floor.largest_component[row, column]
         assert np.hypot(*np.subtract(floor.to_point(row, column), (x, 2.0))) < 0.015
     assert floor.largest_component.sum() * 0.02**2 == pytest.approx(2 * 3.3 * 3.3 + 0.3 * 0.7, rel=0.02)
+
+
+def test_an_object_that_was_moved_is_in_the_way_where_it_is_now() -> None:
+    home = small_home(instance("ball", BALL, 3.0, 3.0))
+    before = NavigableFloor(home)
+    assert not before.is_free(3.0, 2.8)
+    pose = home.by_name["ball"].model_to_world()
+    pose[:2, 3] = (1.0, 1.0)
+    after = before.with_moved(home, {"ball": pose})
+    assert after.is_free(3.0, 2.8)
+    assert not after.is_free(1.0, 1.2)
+    assert np.array_equal(after.cells, floor_of(instance("ball", BALL, 1.0, 1.0)).cells)
+    pose[2, 3] = 50.0
+    assert after.with_moved(home, {"ball": pose}).is_free(1.0, 1.2)
+    assert not before.is_free(3.0, 2.8), "the floor before stays as it was"

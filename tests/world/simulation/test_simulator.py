@@ -271,6 +271,30 @@ def test_mug_released_over_a_sink_ends_in_its_basin(simulator: Simulator) -> Non
     assert simulator.object_pose("mug_sink")[2, 3] == pytest.approx(0.65, abs=0.02)
 
 
+def test_what_is_dropped_on_the_floor_is_in_the_way_until_it_is_taken_away(simulator: Simulator) -> None:
+    simulator.apply(A.MANIPULATION_MODE, "cup")
+    simulator.apply(A.SNAP_OBJECT, "cup")
+    simulator.apply(A.NAVIGATION_MODE, "cup")
+    simulator.apply(BaseDisplacement(heading=math.pi), "cup")
+    simulator.apply(A.DESNAP_OBJECT, "cup")
+    wait(simulator, 80)
+    x, y, z = simulator.object_pose("mug_near")[:3, 3]
+    assert z < 0.05
+    assert simulator.floor.clearance(x, y) < 0.05
+    simulator.reset(BEFORE_TABLE)
+    assert simulator.floor.clearance(x, y) > 0.1
+
+
+def test_the_floor_is_free_where_an_object_was_picked_up(simulator: Simulator) -> None:
+    simulator.reset(BasePose(2.1, 2.6, -math.pi / 2))
+    assert not simulator.floor.is_free(2.1, 2.0)
+    simulator.apply(A.MANIPULATION_MODE, "cup")
+    simulator.apply(JointDisplacement(Joints(-0.4, 0.0)), "cup")
+    assert simulator.apply(A.SNAP_OBJECT, "cup").grasped == "mug_behind"
+    wait(simulator)
+    assert simulator.floor.is_free(2.1, 2.0)
+
+
 def test_reset_puts_everything_back(simulator: Simulator) -> None:
     frame = simulator.render()
     poses = {name: simulator.object_pose(name) for name in simulator.physics.names}

@@ -5,9 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import transform_points
 from uniteam.world.assets.model import Box, CollisionShape
-from uniteam.world.homes.home import Home, Stage, Wall
+from uniteam.world.homes.home import Stage, Wall
 
 _CORNERS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 
@@ -22,14 +21,6 @@ def shape_vertices(shape: CollisionShape) -> NDArray[np.float64]:
 def model_vertices(shapes: tuple[CollisionShape, ...]) -> NDArray[np.float64]:
     """Return the (V, 3) vertices of all of a model's shapes (m, model frame)."""
     return np.concatenate([shape_vertices(shape) for shape in shapes])
-
-
-def home_shapes(home: Home) -> Iterator[NDArray[np.float64]]:
-    """Yield the (V, 3) vertices (m, world) of every collision shape of every instance of a home."""
-    for instance in home.instances:
-        model_to_world = instance.model_to_world()
-        for shape in home.model_of(instance).shapes:
-            yield transform_points(model_to_world, shape_vertices(shape))
 
 
 def wall_boxes(stage: Stage) -> Iterator[tuple[NDArray[np.float64], float, Box]]:

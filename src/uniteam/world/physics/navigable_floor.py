@@ -1,6 +1,8 @@
 """Where the robot's base can stand: the clearance to whatever a cylinder of the robot's size would hit."""
 
+import copy
 import math
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 import cv2
@@ -11,9 +13,9 @@ from uniteam.geometry import BasePose, transform_points
 from uniteam.grid import Grid
 from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
 from uniteam.world.homes.fixed_mesh import stage_mesh
-from uniteam.world.homes.home import Home
+from uniteam.world.homes.home import Home, Instance
 from uniteam.world.homes.polygon import convex_pieces
-from uniteam.world.physics.collision_shapes import home_shapes, shape_vertices, wall_boxes, wall_to_world
+from uniteam.world.physics.collision_shapes import shape_vertices, wall_boxes, wall_to_world
 from uniteam.world.physics.mesh_solids import mesh_solids
 
 CELL_SIZE = 0.02
@@ -27,7 +29,7 @@ _SUBPIXEL_BITS = 8
 
 
 class NavigableFloor:
-    """A home's floor as a grid of clearances, made from the home as it is given: nothing moves in it later.
+    """A home's floor as a grid of clearances; where something has moved, `with_moved` returns another.
 
     Attributes:
         cells: (R, C) float32, metres from a cell's centre to the nearest obstacle between 3 cm and 1.41 m above the
@@ -44,9 +46,33 @@ class NavigableFloor:
         for room in home.stage.rooms:
             for piece in convex_pieces(room.outline):
                 self._fill(free, np.array(piece), 1)
-        for points in _obstacles(home):
+        for points in _fixed_obstacles(home):
             self._fill(free, points, 0)
-        self.cells = cv2.distanceTransform(free, cv2.DIST_L2, cv2.DIST_MASK_PRECISE) * np.float32(CELL_SIZE)
+        self._without_objects = free
+        self._objects = {i.name: _object_outlines(home, i, i.model_to_world()) for i in home.instances if i.movable}
+        self.cells = self._clearance_cells()
+
+    def with_moved(self, home: Home, poses: Mapping[str, NDArray[np.float64]]) -> "NavigableFloor":
+        """Return the floor after objects have moved.
+
+        Args:
+            home: which this floor is of.
+            poses: (4, 4) of the objects that moved, by name; one that is above the robot is in nobody's way.
+        """
+        moved = copy.copy(self)
+        outlines = {name: _object_outlines(home, home.by_name[name], pose) for name, pose in poses.items()}
+        moved._objects = {**self._objects, **outlines}
+        moved.cells = moved._clearance_cells()
+        for name in ("free", "largest_component"):
+            moved.__dict__.pop(name, None)
+        return moved
+
+    def _clearance_cells(self) -> NDArray[np.float32]:
+        free = self._without_objects.copy()
+        for outlines in self._objects.values():
+            for outline in outlines:
+                self._fill(free, outline, 0)
+        return np.asarray(cv2.distanceTransform(free, cv2.DIST_L2, cv2.DIST_MASK_PRECISE) * np.float32(CELL_SIZE))
 
     def _fill(self, grid: NDArray[np.uint8], points: NDArray[np.float64], value: int) -> None:
         cells = ((points - self._low) / CELL_SIZE - 0.5) * (1 << _SUBPIXEL_BITS)
@@ -102,12 +128,30 @@ class NavigableFloor:
         return np.asarray(below * (1 - fy) + above * fy)
 
 
-def _obstacles(home: Home) -> list[NDArray[np.float64]]:
-    """Return convex (V, 2) outlines (m, world) of what stands between `STEP_HEIGHT` and the robot's height."""
+Outlines = list[NDArray[np.float64]]
+
+
+def _fixed_obstacles(home: Home) -> Outlines:
+    """Return convex (V, 2) outlines (m, world) of what is fixed between `STEP_HEIGHT` and the robot's height."""
     walls = [transform_points(wall_to_world(s, a), shape_vertices(box)) for s, a, box in wall_boxes(home.stage)]
     mesh = stage_mesh(home.stage)
     solids = () if mesh is None else tuple(mesh_solids(mesh))
-    outlines = (_slab_outline(vertices) for vertices in (*walls, *solids, *home_shapes(home)))
+    furniture = (shape for i in home.instances if not i.movable for shape in _shapes(home, i, i.model_to_world()))
+    return _slab_outlines((*walls, *solids, *furniture))
+
+
+def _object_outlines(home: Home, instance: Instance, model_to_world: NDArray[np.float64]) -> Outlines:
+    """Return the outlines of an object's shapes where it is."""
+    return _slab_outlines(_shapes(home, instance, model_to_world))
+
+
+def _shapes(home: Home, instance: Instance, model_to_world: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
+    """Yield the (V, 3) vertices (m, world) of an instance's collision shapes."""
+    return (transform_points(model_to_world, shape_vertices(shape)) for shape in home.model_of(instance).shapes)
+
+
+def _slab_outlines(solids: Iterable[NDArray[np.float64]]) -> Outlines:
+    outlines = (_slab_outline(vertices) for vertices in solids)
     return [outline for outline in outlines if outline is not None]
 
 

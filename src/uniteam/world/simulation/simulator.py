@@ -26,6 +26,7 @@ from uniteam.world.physics.navigable_floor import NavigableFloor
 from uniteam.world.physics.physics import Physics
 from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.simulation.arm_collision import ArmCollider
+from uniteam.world.simulation.floor_watch import FloorWatch
 from uniteam.world.simulation.graspable import GraspRule
 from uniteam.world.simulation.gripper import Gripper
 from uniteam.world.simulation.home_view import HomeView
@@ -54,17 +55,16 @@ class Simulator:
         home: as it was given; objects may have moved since.
         camera: the head camera's intrinsics.
         physics: where the objects are.
-        floor: where the base can stand.
     """
 
     def __init__(self, home: Home, camera: PinholeCamera) -> None:
         """Build the home and let its objects come to rest; the robot stands in the middle of the first room."""
         self.home = home
         self.camera = camera
-        self.floor = NavigableFloor(home)
         self.physics = Physics(home)
         self.physics.settle()
         self._at_first = self.physics.save()
+        self._watch = FloorWatch(home, self.physics)
         self._collider = ArmCollider(self.physics)
         self._view = HomeView(home, self.physics)
         self._gripper = Gripper(home, self.physics)
@@ -73,9 +73,15 @@ class Simulator:
     def reset(self, base: BasePose) -> None:
         """Put every object back and the robot at a pose (world), in its navigation posture with an empty gripper."""
         self.physics.restore(self._at_first)
+        self._watch.restart()
         self._state = RobotState(base, NAVIGATION_POSTURE)
         self._gripper.held = None
         self._frame: Frame | None = None
+
+    @property
+    def floor(self) -> NavigableFloor:
+        """Where the base can stand, with every object that has come to rest where it lies now."""
+        return self._watch.floor
 
     @property
     def base(self) -> BasePose:
@@ -130,6 +136,7 @@ class Simulator:
             if self._state is before:
                 events = events.then(self._touch())
             self.physics.advance(STEP_SECONDS)
+            self._watch.update()
         self._frame = None
         return events
 

@@ -1,22 +1,23 @@
 """What lies on the floor of a home that is lived in: shoes, toys, bags, boxes, laundry, in heaps and by themselves.
 
-Most of it lies at walls and furniture, some in the way. It is placed on the floor that the robot can see to be free, so
-nothing lies in anything; a home whose ways it shuts is drawn anew by whoever asks for it.
+Most of it lies at walls and furniture, some in the way: the robot has to go around it, but nothing shuts a way.
 """
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
 
 from uniteam.geometry import Point2, yaw_quaternion
+from uniteam.stretch import BASE_RADIUS
 from uniteam.world.assets.model import Model
 from uniteam.world.generation.objects.scatter import DROP
 from uniteam.world.generation.objects.stock import ObjectStock
 from uniteam.world.homes.home import Home, Instance, Room
-from uniteam.world.physics.navigable_floor import NavigableFloor
+from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
 
 _TOYS = (
     "ball", "board_game", "doll", "puzzle_cube", "stuffed_toy", "toy_airplane", "toy_construction_set", "toy_vehicle",
@@ -35,9 +36,9 @@ _BY_ROOM: Mapping[str, tuple[str, ...]] = {
     "bathroom": ("basket", "folded_clothes", "scale", "toilet_brush", "towel"),
     "laundry": (*_LAUNDRY, "bottle", "box"),
 }  # fmt: skip
-_PER_AREA = 0.22
+_PER_AREA = 0.28
 """How many things lie on a square metre at most, beside the one that may lie anywhere."""
-_MOST_IN_ROOM = 6
+_MOST_IN_ROOM = 8
 _HEAP_CHANCE = 0.5
 """That a thing lies near the one before."""
 _HEAP = 0.7
@@ -49,6 +50,11 @@ _GAP = 0.02
 _TRIES = 12
 
 
+_STRIDE = 3
+_MOST_SHUT_OFF = 0.4
+"""A thing may shut off so much of the floor (m2)."""
+
+
 @dataclass(frozen=True)
 class _Spot:
     x: float
@@ -56,10 +62,31 @@ class _Spot:
     radius: float
 
 
+class _Ways:
+    """Where the robot's centre can be, on every third cell of a floor."""
+
+    def __init__(self, floor: NavigableFloor) -> None:
+        self._floor = floor
+        self._free = floor.largest_component[::_STRIDE, ::_STRIDE].astype(np.uint8)
+
+    def lets_stand(self, spot: _Spot) -> bool:
+        """Put a thing there unless it would shut a way, and say whether it stands."""
+        row, column = self._floor.to_cell(spot.x, spot.y)
+        reach = round((spot.radius + BASE_RADIUS) / CELL_SIZE / _STRIDE)
+        left = self._free.copy()
+        cv2.circle(left, (column // _STRIDE, row // _STRIDE), reach, 0, -1)
+        _, _, stats, _ = cv2.connectedComponentsWithStats(left, connectivity=4)
+        shut_off = (int(left.sum()) - int(stats[1:, cv2.CC_STAT_AREA].max(initial=0))) * (CELL_SIZE * _STRIDE) ** 2
+        if shut_off <= _MOST_SHUT_OFF:
+            self._free = left
+        return shut_off <= _MOST_SHUT_OFF
+
+
 def scatter_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Instance, ...]:
     """Return things a hair above the floor of a home that has no objects yet."""
     floor = NavigableFloor(home)
-    return tuple(thing for room in home.stage.rooms for thing in _in_room(room, floor, stock, rng))
+    ways = _Ways(floor)
+    return tuple(thing for room in home.stage.rooms for thing in _in_room(room, floor, ways, stock, rng))
 
 
 def no_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Instance, ...]:
@@ -67,7 +94,7 @@ def no_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Instance,
     return ()
 
 
-def _in_room(room: Room, floor: NavigableFloor, stock: ObjectStock, rng: Generator) -> Iterator[Instance]:
+def _in_room(room: Room, floor: NavigableFloor, ways: _Ways, stock: ObjectStock, rng: Generator) -> Iterator[Instance]:
     """Yield what lies in a room."""
     categories = stock.known(_BY_ROOM.get(room.kind, ()))
     count = min(_MOST_IN_ROOM, int(rng.integers(0, 2 + int(_PER_AREA * room.area))))
@@ -78,7 +105,7 @@ def _in_room(room: Room, floor: NavigableFloor, stock: ObjectStock, rng: Generat
     for _ in range(count):
         model = stock.of(categories[int(rng.integers(len(categories)))], rng)
         spot = _spot(model, cells, floor, placed, rng)
-        if spot is not None:
+        if spot is not None and ways.lets_stand(spot):
             placed.append(spot)
             yield _lying(model, spot, room, rng)
 

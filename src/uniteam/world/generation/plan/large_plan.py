@@ -25,7 +25,7 @@ _SIZES = {
     "dining_room": RoomSize((10.0, 18.0), 280, 1.9),
     "bedroom": RoomSize((10.0, 21.0), 280, 1.9),
     "office": RoomSize((8.0, 15.0), 240, 2.0),
-    "bathroom": RoomSize((4.5, 10.0), 180, 2.2),
+    "bathroom": RoomSize((5.5, 11.0), 190, 2.2),
     "laundry": RoomSize((4.0, 9.0), 170, 2.3),
 }
 _CUT_OUT = {"bedroom": ("bathroom", 16.0), "kitchen": ("laundry", 14.0), "living_room": ("bathroom", 26.0)}
@@ -33,7 +33,7 @@ _CUT_OUT = {"bedroom": ("bathroom", 16.0), "kitchen": ("laundry", 14.0), "living
 _CUT_CHANCE = 0.65
 _ANGLED_SHARE = 0.8
 """Of the draws; fewer of these than of the others are usable."""
-_CUT_SIDES = (190, 270)
+_CUT_SIDES = (200, 290)
 _LEAST_ARM = 190
 """What a cut leaves of each side of its room (cm)."""
 _EXTRAS = ("bedroom", "office", "dining_room", "laundry", "bathroom", "bedroom", "bedroom", "office")
