@@ -10,6 +10,7 @@ from uniteam.geometry import (
     BasePose,
     PinholeCamera,
     invert_transform,
+    pose_matrices,
     pose_matrix,
     quaternion_to_matrix,
     transform_points,
@@ -80,3 +81,11 @@ def test_a_frame_of_the_wrong_shape_is_refused_in_words() -> None:
 
 def test_an_unknown_name_is_answered_with_the_nearest() -> None:
     assert "did you mean 'baseline'?" in str(UnknownNameError("agent", "baselin", ["baseline", "uniteam"]))
+
+
+def test_many_poses_are_the_same_to_the_bit_as_one_by_one() -> None:
+    rng = np.random.default_rng(0)
+    poses = rng.normal(size=(50, 7))
+    for pose, matrix in zip(poses, pose_matrices(poses), strict=True):
+        assert np.array_equal(matrix, pose_matrix(pose[:3], pose[3:]))
+    assert pose_matrices(np.empty((0, 7))).shape == (0, 4, 4)

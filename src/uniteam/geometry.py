@@ -123,6 +123,24 @@ def pose_matrix(position: FloatArray, quaternion: FloatArray) -> NDArray[np.floa
     return matrix
 
 
+def pose_matrices(poses: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the (N, 4, 4) transforms of (N, 7) positions (m) and unit quaternions; each as `pose_matrix` has it."""
+    norms = np.array([np.linalg.norm(pose[3:]) for pose in poses])
+    w, x, y, z = poses[:, 3:].T / norms
+    matrices = np.zeros((len(poses), 4, 4))
+    rows = (
+        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+    )
+    for i, row in enumerate(rows):
+        for j, values in enumerate(row):
+            matrices[:, i, j] = values
+    matrices[:, :3, 3] = poses[:, :3]
+    matrices[:, 3, 3] = 1.0
+    return matrices
+
+
 def yaw_quaternion(yaw: float) -> tuple[float, float, float, float]:
     """Return the quaternion (w, x, y, z) of a rotation about z (rad)."""
     return (math.cos(yaw / 2.0), 0.0, 0.0, math.sin(yaw / 2.0))

@@ -159,7 +159,7 @@ NONSENSE = [
 ]  # fmt: skip
 OPTIONS = [
     "--agents", "--agent", "--split", "--perception", "--episodes", "--episode", "--workers", "--camera", "--out",
-    "--with", "--without", "--breakdown", "--no-breakdown", "--episode-seconds", "--video", "--category", "--sheet",
+    "--with", "--without", "--breakdown", "--style", "--episode-seconds", "--video", "--category", "--sheet",
     "--homes", "--per-home", "--pool", "--nothing", "-v", "--out=", "--video=", "--workers=", "--agents=",
 ]  # fmt: skip
 words = st.one_of(st.sampled_from(NONSENSE), st.sampled_from(OPTIONS), st.text(max_size=6))

@@ -9,6 +9,7 @@ import tyro
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from uniteam.cli.home import Style
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.files import try_output
@@ -21,6 +22,7 @@ def episodes(
     out: Path,
     per_home: Annotated[int, tyro.conf.arg(metavar="N")] = 5,
     source: str = "test",
+    style: Style = "tidy",
 ) -> None:
     """Generate homes and certified episodes in them, and write both as a split.
 
@@ -32,19 +34,22 @@ def episodes(
         per_home: episodes wanted in each home.
         source: what makes the homes: "test" for models kept from training, "train" for the others, or a function of
             your own, "my_homes:lofts".
+        style: "tidy" homes as a robot would like them, or "lived_in" ones as people leave them; not for a function of
+            your own.
     """
     from uniteam.world.certification.growing_split import GrowingSplit, grow
-    from uniteam.world.generation.registry import HOMES, home_of_seed
+    from uniteam.world.generation.registry import HOMES, home_of_seed, source_name, style_name
     from uniteam.world.homes.home import Home
     from uniteam.world.task.splits import SUFFIX
 
     seeds = _seeds(homes)
     if not 1 <= per_home <= MOST_EPISODES:
         raise InvalidInputError(f"--per-home must be from 1 to {MOST_EPISODES}, got {per_home}")
-    HOMES.get(source)
+    make = source_name(source, style)
+    HOMES.get(make)
     try_output(out, (SUFFIX,))
     console = make_console()
-    growing = GrowingSplit(out, (source, seeds, per_home))
+    growing = GrowingSplit(out, (make, seeds, per_home), style_name(make))
     short: list[str] = []
     with _progress(console, len(seeds)) as advance:
 
@@ -54,7 +59,7 @@ def episodes(
             advance()
 
         try:
-            grow(growing, (home_of_seed(source, seed) for seed in seeds), per_home, on_home)
+            grow(growing, (home_of_seed(make, seed) for seed in seeds), per_home, on_home)
         except BaseException:
             if growing.split.episodes:
                 kept = f"{len(growing.split.episodes)} episodes so far are kept in {shown(growing.partial)}"
@@ -67,6 +72,8 @@ def episodes(
     unseen = sum(episode.unseen for episode in split.episodes)
     counts = f"{len(split.episodes)} episodes in {len(split.homes)} homes, {unseen} of unseen categories"
     console.print(f"{counts}: {shown(out)}", soft_wrap=True)
+    if growing.proposals.total:
+        console.print(". ".join(growing.proposals.lines()) + ".", soft_wrap=True)
     if short:
         console.print(f"Fewer than {per_home} were found in some homes: {shown(', '.join(short))}.")
     console.print(f"Play them with: uniteam evaluate --split {shown(out)}", soft_wrap=True)

@@ -11,6 +11,7 @@ from uniteam.cli.progress import play_under_bar
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.evaluation.agent_spec import label_agents
+from uniteam.evaluation.analysis.breakdown import Groups, grouped
 from uniteam.evaluation.analysis.table import Row, challenge_table
 from uniteam.evaluation.backends.capacity import allowed_cores, most_workers
 from uniteam.evaluation.configuration import Run
@@ -36,7 +37,7 @@ def evaluate(
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
-    breakdown: bool = False,
+    breakdown: Annotated[str | None, tyro.conf.arg(metavar="TAG")] = None,
     episode_seconds: Annotated[float, tyro.conf.arg(metavar="S")] = 3600.0,
 ) -> None:
     """Play a split's episodes with one or more agents, in parallel, and print the challenge's table.
@@ -56,7 +57,8 @@ def evaluate(
         out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA-GRASP by default.
         with_: Improvements to add to the agents that lack them: names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agents that have them, by name.
-        breakdown: Add a row for the seen and one for the unseen object categories.
+        breakdown: Add rows by what makes episodes differ: unseen (whether the object's category is in no training
+            home), style, area, rooms, shortest_path, least_clearance, object_height, object_pixels, goals, same_class.
         episode_seconds: How long an episode may take; one that takes longer is ended, and fails if it was the agent
             that took so long.
     """
@@ -71,9 +73,10 @@ def evaluate(
         run = Run(split, labelled, perception, camera, grasp, episodes, episode_seconds)
         opened = Evaluation(run, out or default_directory(run))
     with opened as evaluation:
+        groups = {} if breakdown is None else grouped(evaluation.wanted, breakdown)
         lost = play_under_bar(evaluation, _worker_count(workers, len(evaluation.remaining)), console)
         evaluation.write_summary()
-        console.print(challenge_table(_rows(evaluation, breakdown), _caption(evaluation), console.width, shown))
+        console.print(challenge_table(_rows(evaluation, groups), _caption(evaluation), console.width, shown))
         _report(evaluation, console)
     if lost:
         raise LostEpisodesError(_lost_sentence(lost, evaluation))
@@ -109,17 +112,16 @@ def _lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
     )
 
 
-def _rows(evaluation: Evaluation, breakdown: bool) -> dict[str, Row]:
-    """Return the table's rows: each agent's, and by kind of object category where that is asked for."""
-    asked = evaluation.wanted
+def _rows(evaluation: Evaluation, groups: Groups) -> dict[str, Row]:
+    """Return the table's rows: each agent's, and one for each group of episodes."""
     rows = {}
     for agent, results in evaluation.results().items():
-        rows[agent] = Row(summarize(results), len(asked))
-        for heading, unseen in (("seen categories", False), ("unseen categories", True)) if breakdown else ():
-            some = [result for result in results if result.unseen is unseen]
+        rows[agent] = Row(summarize(results), len(evaluation.wanted))
+        for heading, episodes in groups.items():
+            wanted = {episode.id for episode in episodes}
+            some = [result for result in results if result.episode in wanted]
             if some:
-                count = sum(episode.unseen is unseen for episode in asked)
-                rows[f"{agent}, {heading}"] = Row(summarize(some), count)
+                rows[f"{agent}, {heading}"] = Row(summarize(some), len(wanted))
     return rows
 
 

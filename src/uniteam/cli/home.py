@@ -2,7 +2,7 @@
 
 from collections import Counter
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import tyro
 from rich.table import Table
@@ -13,23 +13,29 @@ from uniteam.files import try_folder
 from uniteam.visualization.home_pictures import draw_plan, view_from_above, views_inside
 from uniteam.visualization.picture_file import write_png
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
-from uniteam.world.generation.registry import home_of_seed
+from uniteam.world.generation.registry import home_of_seed, source_name
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.homes.serialization import read_home
 
+Style = Literal["tidy", "lived_in"]
 
-def home(what: Annotated[str, tyro.conf.Positional], source: str = "test", out: Path | None = None) -> None:
+
+def home(
+    what: Annotated[str, tyro.conf.Positional], source: str = "test", style: Style = "tidy", out: Path | None = None
+) -> None:
     """Draw a home and list what is in it.
 
     Args:
         what: seed of the home to generate, or a home's own file (JSON).
         source: what makes the home of a seed: "test" for models kept from training, "train" for the others, or a
             function of your own, "my_homes:lofts".
+        style: "tidy" homes as a robot would like them, or "lived_in" ones as people leave them; not for a function of
+            your own.
         out: directory for plan.png, above.png and a picture inside each room; "home_SEED" or "home_FILE" where none is
             given.
     """
     seed = _seed(what)
-    drawn = home_of_seed(source, seed) if seed is not None else read_home(_file(what))
+    drawn = home_of_seed(source_name(source, style), seed) if seed is not None else read_home(_file(what))
     directory = Path(f"home_{Path(what).stem}") if out is None else out
     try_folder(directory)
     write_png(directory / "plan.png", draw_plan(drawn))

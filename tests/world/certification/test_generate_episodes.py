@@ -1,5 +1,6 @@
 """Making episodes: view points, certified episodes, and the command that writes them."""
 
+from collections import Counter
 from itertools import combinations
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 from uniteam.world.certification.candidate_tasks import Tally
 from uniteam.world.certification.generate_episodes import START_DISTANCE, EpisodeMaker
+from uniteam.world.certification.rejection import Cause, Proposals, Rejected
 from uniteam.world.certification.view_points import Viewpoints
 from uniteam.world.homes.home import Home
 from uniteam.world.simulation.simulator import Simulator
@@ -35,7 +37,7 @@ def simulator(home: Home) -> Simulator:
 
 @pytest.fixture(scope="module")
 def made(home: Home) -> tuple[Episode, ...]:
-    return tuple(EpisodeMaker(home, Tally()).episodes(2))
+    return tuple(EpisodeMaker(home, Tally(), "tidy").episodes(2))
 
 
 def test_view_points_are_reachable_near_and_see_the_instance(home: Home, simulator: Simulator) -> None:
@@ -93,8 +95,43 @@ def test_certified_episodes_start_far_from_the_object_and_ask_for_different_thin
         assert episode.certificate is not None
 
 
+def test_an_episode_says_what_makes_it_hard(home: Home, made: tuple[Episode, ...], simulator: Simulator) -> None:
+    for episode in made:
+        tags, certificate = episode.tags, episode.certificate
+        assert tags is not None and certificate is not None
+        assert (tags.style, tags.rooms, tags.goals) == ("tidy", len(home.stage.rooms), len(episode.goal_receptacles))
+        assert tags.area == pytest.approx(sum(room.area for room in home.stage.rooms), abs=0.1)
+        straight = episode.start.distance_to(certificate.grasp.x, certificate.grasp.y)
+        straight += certificate.grasp.distance_to(certificate.release.x, certificate.release.y)
+        assert straight - 0.01 <= tags.shortest_path <= 4 * straight
+        assert 0.299 <= tags.least_clearance <= simulator.floor.clearance(episode.start.x, episode.start.y)
+        assert tags.object_height == pytest.approx(home.by_name[certificate.object].position[2], abs=1e-3)
+        assert tags.object_pixels > 0
+        same = len(home.of_category(episode.instruction.object_category))
+        assert tags.same_class == same - len(episode.objects)
+
+
+def test_what_is_rejected_is_counted_by_cause(home: Home) -> None:
+    maker = EpisodeMaker(home, Tally(), "tidy")
+    certifier = maker._certifier
+    task = next(iter(maker._tasks))
+    certifier._views._standable[:] = False
+    outcome = certifier.certify(task, "x", BasePose(1.0, 1.0, 0.0), 0)
+    assert outcome == Rejected(Cause.OBJECT_UNSEEN)
+
+
+def test_the_shares_of_rejected_proposals_are_told() -> None:
+    proposals = Proposals(certified=6)
+    other = Proposals(certified=0, rejected=Counter({Cause.RELEASE_FAILS: 3, Cause.NO_START: 1}))
+    proposals.add(other)
+    first, *causes = proposals.lines()
+    assert first == "4 of 10 proposals rejected (40.0 %)"
+    assert causes[0].startswith("30.0 % ") and causes[1].startswith("10.0 % no start")
+    assert Proposals().lines() == ["no episode was proposed"]
+
+
 def test_the_same_home_gives_the_same_episodes(home: Home, made: tuple[Episode, ...]) -> None:
-    assert tuple(EpisodeMaker(home, Tally()).episodes(1)) == made[:1]
+    assert tuple(EpisodeMaker(home, Tally(), "tidy").episodes(1)) == made[:1]
 
 
 def test_the_command_writes_a_split_that_can_be_played(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -195,6 +195,6 @@ def test_the_layout_is_in_whole_centimetres_and_the_settled_poses_are_rounded() 
 
 
 def test_the_command_draws_a_plan_and_every_room(tmp_path: Path) -> None:
-    home_command("1", "test", tmp_path)
+    home_command("1", out=tmp_path)
     names = {path.stem for path in tmp_path.glob("*.png")}
     assert names == {"plan", "above"} | {room.name for room in generated(1, "test").stage.rooms}

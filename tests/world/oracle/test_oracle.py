@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from uniteam.world.assets.catalogue import Catalogue
 from uniteam.world.assets.model import SupportSurface
 from uniteam.world.certification.drop_points import LEAST_MARGIN, drop_points
 from uniteam.world.oracle.base_driving import straight, to_point, turn
-from uniteam.world.oracle.base_stands import can_grasp, grasp_stands, manipulation_base, releases
+from uniteam.world.oracle.base_stands import Grasp, approach, can_grasp, grasps, manipulation_base, releases
 from uniteam.world.oracle.oracle import Oracle
 from uniteam.world.oracle.true_paths import PathField
 from uniteam.world.physics.navigable_floor import NavigableFloor
@@ -100,20 +101,48 @@ def test_the_base_arrives_at_a_point() -> None:
 def test_a_grasp_stand_has_the_object_in_view_and_in_reach() -> None:
     position = np.array([1.0, 2.0, 0.8])
     around = np.array([[x, y] for x in np.arange(0.0, 2.0, 0.1) for y in np.arange(1.0, 3.0, 0.1)])
-    stands = list(grasp_stands(position, around, HEAD_CAMERA_HALF))
-    assert stands
-    for stand in stands:
-        to_base = invert_transform(manipulation_base(stand).matrix())
-        from_gripper = transform_points(to_base, position) - gripper_to_base(MANIPULATION_POSTURE)[:3, 3]
+    found = list(grasps(position, around, HEAD_CAMERA_HALF))
+    assert found[0].joints == MANIPULATION_POSTURE
+    for grasp in found:
+        to_base = invert_transform(manipulation_base(grasp.stand).matrix())
+        from_gripper = transform_points(to_base, position) - gripper_to_base(grasp.joints)[:3, 3]
         assert np.linalg.norm(from_gripper) < 0.8
-        assert stand.bearing_to(1.0, 2.0) == pytest.approx(0.0, abs=1e-9)
+        assert grasp.stand.bearing_to(1.0, 2.0) == pytest.approx(0.0, abs=1e-9)
 
 
-def test_what_lies_too_far_or_too_low_cannot_be_grasped() -> None:
-    assert can_grasp(BasePose(0.0, 0.0, 0.0), np.array([0.6, 0.0, 0.7]), HEAD_CAMERA_HALF)
-    assert not can_grasp(BasePose(0.0, 0.0, 0.0), np.array([1.3, 0.0, 0.7]), HEAD_CAMERA_HALF)
-    assert not can_grasp(BasePose(0.0, 0.0, 0.0), np.array([0.75, 0.0, 0.0]), HEAD_CAMERA_HALF)
-    assert not can_grasp(BasePose(0.0, 0.0, math.pi), np.array([0.6, 0.0, 0.7]), HEAD_CAMERA_HALF)
+@pytest.mark.parametrize("height", [0.05, 1.45])
+def test_there_are_grasps_for_what_lies_as_low_or_as_high_as_homes_have_it(height: float) -> None:
+    around = np.array([[x, y] for x in np.arange(-1.0, 1.1, 0.1) for y in np.arange(-1.0, 1.1, 0.1)])
+    around = around[np.hypot(*around.T) >= 0.5]
+    assert list(grasps(np.array([0.0, 0.0, height]), around, HEAD_CAMERA_HALF))
+
+
+def test_grasps_of_one_posture_come_from_several_sides() -> None:
+    around = np.array([[x, y] for x in np.arange(-1.0, 1.1, 0.1) for y in np.arange(-1.0, 1.1, 0.1)])
+    usual = [g for g in grasps(np.array([0.0, 0.0, 0.8]), around, HEAD_CAMERA_HALF) if g.joints == MANIPULATION_POSTURE]
+    assert len(usual) > 2
+    gaps = [one.stand.distance_to(other.stand.x, other.stand.y) for one, other in combinations(usual, 2)]
+    assert min(gaps) >= 0.2 and max(gaps) >= 0.8
+
+
+def test_the_arm_comes_from_above_where_it_is_asked_to() -> None:
+    joints = replace(MANIPULATION_POSTURE, lift=0.6, arm=0.3, wrist_pitch=0.0)
+    assert approach(joints, 0.0)[-1] == joints
+    *_, over, down = approach(joints, 0.25)
+    assert (over.lift, down) == (pytest.approx(0.85), joints)
+    assert replace(over, lift=0.6) == joints
+
+
+@pytest.mark.parametrize(
+    ("heading", "position", "reached"),
+    [(0.0, (0.6, 0.0, 0.7), True), (0.0, (1.3, 0.0, 0.7), False), (0.0, (0.75, 0.0, 0.0), False),
+     (math.pi, (0.6, 0.0, 0.7), False)],
+)  # fmt: skip
+def test_what_lies_too_far_or_too_low_or_behind_cannot_be_grasped(
+    heading: float, position: tuple[float, ...], reached: bool
+) -> None:
+    grasp = Grasp(BasePose(0.0, 0.0, heading), MANIPULATION_POSTURE)
+    assert can_grasp(grasp, np.array(position), HEAD_CAMERA_HALF) is reached
 
 
 @pytest.mark.parametrize("pitch", [MANIPULATION_POSTURE.wrist_pitch, 0.0])

@@ -21,6 +21,7 @@ from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
 from uniteam.world.task.lattice import lattice_points_near, points_to_runs, runs_to_points
 from uniteam.world.task.split_schema import MOST_BYTES
 from uniteam.world.task.splits import load_split, write_split
+from uniteam.world.task.tags import Tags
 
 UPRIGHT = (1.0, 0.0, 0.0, 0.0)
 
@@ -57,7 +58,10 @@ def _episode(identifier: str, home: str) -> Episode:
         goal_receptacles=(Candidate("sink_1", ((2.0, 2.0),)), Candidate("sink_2", ((2.0, 2.0), (2.1, 2.0)))),
         unseen=True,
         seed=11,
-        certificate=Certificate("cup_1", BasePose(0.1, 0.2, 0.3), "sink_1", BasePose(1.0, 2.0, 3.0), release),
+        certificate=Certificate(
+            "cup_1", BasePose(0.1, 0.2, 0.3), "sink_1", BasePose(1.0, 2.0, 3.0), release, Joints(0.5, 0.2), 0.25
+        ),
+        tags=Tags("lived_in", 120.5, 7, 11.2, 0.31, 0.75, 812, 2, 3),
     )
 
 

@@ -11,9 +11,6 @@ import numpy as np
 from uniteam.interface import Instruction
 from uniteam.world.homes.home import Home, Instance
 
-DISTRACTOR_DISTANCE = 2.0
-"""Objects of the class that do not count lie at least this far (m) from those that do."""
-
 
 @dataclass(frozen=True)
 class CandidateTask:
@@ -62,8 +59,14 @@ class Tally:
         return 1.0 / ((1 + goal) ** 2 * (1 + self.objects[instruction.object_category]) * (1 + start) ** 0.5)
 
 
-def possible_tasks(home: Home, support: Mapping[str, str]) -> tuple[CandidateTask, ...]:
-    """Return the tasks of a home; `support` gives, by an object's name, the receptacle on which it lies."""
+def possible_tasks(home: Home, support: Mapping[str, str], distractor_distance: float) -> tuple[CandidateTask, ...]:
+    """Return the tasks of a home.
+
+    Args:
+        home: with its objects at rest.
+        support: by an object's name, the receptacle on which it lies.
+        distractor_distance: objects of the class that do not count lie at least this far (m) from those that do.
+    """
     goals = _names_by_category(i for i in home.instances if home.model_of(i).role == "receptacle")
     lying: dict[tuple[str, str], list[str]] = {}
     for name, receptacle in support.items():
@@ -78,7 +81,7 @@ def possible_tasks(home: Home, support: Mapping[str, str]) -> tuple[CandidateTas
             Instruction(category, start, goal), tuple(names), held_by(names), tuple(goals[goal]), category in unseen
         )
         for ((category, start), names), goal in product(lying.items(), goals)
-        if goal != start and _is_unambiguous(home, category, names)
+        if goal != start and _nearest_other(home, category, names) >= distractor_distance
     )
 
 
@@ -99,9 +102,9 @@ def _names_by_category(instances: Iterator[Instance]) -> dict[str, list[str]]:
     return names
 
 
-def _is_unambiguous(home: Home, category: str, names: list[str]) -> bool:
-    """Return whether no object of the class that does not count lies near one that does."""
+def _nearest_other(home: Home, category: str, names: list[str]) -> float:
+    """Return the distance (m) from an object that counts to the nearest of its class that does not."""
     counted = np.array([home.by_name[name].position for name in names])
     others = [instance.position for instance in home.of_category(category) if instance.name not in names]
     distances = np.linalg.norm(counted[:, None] - np.array(others).reshape(1, -1, 3), axis=2)
-    return bool(np.all(distances >= DISTRACTOR_DISTANCE))
+    return float(distances.min(initial=np.inf))

@@ -6,7 +6,8 @@ two stands in the certificate, reaches overall success from the episode's start.
 """
 
 from collections.abc import Iterator
-from itertools import chain, islice, product, repeat
+from dataclasses import replace
+from itertools import islice, product, zip_longest
 
 import numpy as np
 
@@ -14,44 +15,53 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Action, DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.world.certification.candidate_tasks import CandidateTask
+from uniteam.world.certification.measure_tags import measure_tags
+from uniteam.world.certification.rejection import Cause, Rejected
 from uniteam.world.certification.release_poses import release_ways
 from uniteam.world.certification.view_points import Viewpoints
 from uniteam.world.homes.home import Home
-from uniteam.world.oracle.base_stands import Release, grasp_stands
+from uniteam.world.oracle.base_stands import Grasp, Release, grasps
 from uniteam.world.oracle.oracle import MOST_WAITING, Oracle
 from uniteam.world.oracle.pilot import Pilot
-from uniteam.world.simulation.simulator import Simulator
+from uniteam.world.simulation.simulator import Moment, Simulator
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Candidate, Certificate, Episode
 from uniteam.world.task.grasp_rules import take_candidate
 from uniteam.world.task.judge import rests_on
 
-GRASP_TRIES = 6
-RELEASE_TRIES = 12
-EPISODE_TRIES = 4
+GRASP_TRIES = 40
+RELEASE_TRIES = 60
+WAYS_KEPT = 3
+"""How many ways to release are found for an object and a receptacle, so that another is there where one fails."""
+EPISODE_TRIES = 6
 """How many proposals the simulator is asked about: for an object, for an object and a receptacle, for an episode."""
-GRASP_STAND_RANGE = 0.9
-RELEASE_STAND_RANGE = 0.7
+GRASP_STAND_RANGE = 1.3
+RELEASE_STAND_RANGE = 0.8
 """How far from an instance a stand may be (m)."""
 
 
 class Certifier:
     """Certifies tasks in one home; what it learns of an object or a receptacle serves every task."""
 
-    def __init__(self, home: Home) -> None:
-        """Compile the home and survey its floor."""
+    def __init__(self, home: Home, style: str) -> None:
+        """Compile a home, which was made in a style, and survey its floor."""
         self.home = home
+        self._style = style
         self.simulator = Simulator(home, HEAD_CAMERA_HALF)
         self._views = Viewpoints(home, self.simulator.floor, self.simulator.physics.model)
         self._pilot = Pilot(self.simulator)
-        self._grasps: dict[str, BasePose | None] = {}
-        self._tried_releases: dict[tuple[str, str], Release | None] = {}
+        self._grasps: dict[str, Grasp | Cause] = {}
+        self._moments: dict[str, Moment] = {}
+        self._releases: dict[tuple[str, str], tuple[Release, ...] | Cause] = {}
+        self._environments: list[Environment] = []
 
-    def certify(self, task: CandidateTask, identifier: str, start: BasePose, seed: int) -> Episode | None:
-        """Return the episode of a task with its certificate, or None where no way was found to solve it."""
-        objects = self._candidates(task.objects)
-        goals = self._candidates(task.goals)
-        for certificate in islice(self._proposals(objects, goals), EPISODE_TRIES):
+    def certify(self, task: CandidateTask, identifier: str, start: BasePose, seed: int) -> Episode | Rejected:
+        """Return the episode of a task with its certificate, or why no way was found to solve it."""
+        objects, goals = self._candidates(task.objects), self._candidates(task.goals)
+        if not objects or not goals:
+            return Rejected(Cause.GOAL_UNSEEN if objects else Cause.OBJECT_UNSEEN)
+        certificates, cause = self._proposals(objects, goals)
+        for certificate in certificates[:EPISODE_TRIES]:
             episode = Episode(
                 id=identifier,
                 home=self.home.name,
@@ -65,49 +75,75 @@ class Certifier:
                 certificate=certificate,
             )
             if self._is_solved(episode):
-                return episode
-        return None
+                tags = measure_tags(episode, certificate, self.simulator, self._style)
+                return replace(episode, tags=tags)
+        return Rejected(cause)
 
     def _candidates(self, names: tuple[str, ...]) -> tuple[Candidate, ...]:
         candidates = (Candidate(name, self._views.of(name)) for name in names)
         return tuple(candidate for candidate in candidates if candidate.view_points)
 
-    def _proposals(self, objects: tuple[Candidate, ...], goals: tuple[Candidate, ...]) -> Iterator[Certificate]:
-        """Yield a way to solve the task with each object and each goal receptacle for which there is one."""
+    def _proposals(
+        self, objects: tuple[Candidate, ...], goals: tuple[Candidate, ...]
+    ) -> tuple[list[Certificate], Cause]:
+        """Return ways to solve the task, one with each object and each goal first, and how far the best one came."""
+        by_pair: list[list[Certificate]] = []
+        farthest = Cause.OBJECT_OUT_OF_REACH
         for candidate, goal in product(objects, goals):
             grasp = self._grasp(candidate.name)
-            release = None if grasp is None else self._release(candidate.name, grasp, goal.name)
-            if grasp is not None and release is not None:
-                yield Certificate(candidate.name, grasp, goal.name, release.stand, release.joints)
+            found = grasp if isinstance(grasp, Cause) else self._ways(candidate.name, grasp, goal.name)
+            if isinstance(grasp, Cause) or isinstance(found, Cause):
+                farthest = max(farthest, found if isinstance(found, Cause) else farthest)
+                continue
+            farthest = Cause.NOT_SOLVED
+            by_pair.append([_certificate(candidate.name, grasp, goal.name, release) for release in found])
+        in_turn = (certificate for ways in zip_longest(*by_pair) for certificate in ways if certificate is not None)
+        return list(in_turn), farthest
 
-    def _grasp(self, name: str) -> BasePose | None:
-        """Return a stand from which an object was grasped in the simulator."""
+    def _grasp(self, name: str) -> Grasp | Cause:
+        """Return a way in which an object was grasped in the simulator, or why there is none."""
         if name not in self._grasps:
-            instance = self.home.by_name[name]
-            stands = grasp_stands(
-                np.array(instance.position), self._views.standable(instance, GRASP_STAND_RANGE), HEAD_CAMERA_HALF
-            )
-            tried = (stand for stand in islice(stands, GRASP_TRIES) if self._can_grasp(stand, name))
-            self._grasps[name] = next(tried, None)
+            self._grasps[name] = self._find_grasp(name)
         return self._grasps[name]
 
-    def _can_grasp(self, stand: BasePose, name: str) -> bool:
-        self.simulator.reset(stand)
-        return self._goes_well(self._pilot.grasp(), name) and self.simulator.held == name
+    def _find_grasp(self, name: str) -> Grasp | Cause:
+        instance = self.home.by_name[name]
+        x, y, z = instance.position
+        middle = np.array([x, y, z + self.home.model_of(instance).size[2] / 2])
+        ways = list(grasps(middle, self._views.standable(instance, GRASP_STAND_RANGE), HEAD_CAMERA_HALF))
+        found = next((way for way in ways[:GRASP_TRIES] if self._can_grasp(way, name)), None)
+        if found is not None:
+            return found
+        return Cause.GRASP_TOUCHES if ways else Cause.OBJECT_OUT_OF_REACH
 
-    def _release(self, name: str, grasp: BasePose, receptacle: str) -> Release | None:
-        """Return a way in which a held object was put on a receptacle in the simulator."""
+    def _can_grasp(self, grasp: Grasp, name: str) -> bool:
+        self.simulator.reset(grasp.stand)
+        return self._goes_well(self._pilot.grasp(grasp.joints), name) and self.simulator.held == name
+
+    def _ways(self, name: str, grasp: Grasp, receptacle: str) -> tuple[Release, ...] | Cause:
+        """Return ways in which a held object was put on a receptacle in the simulator, or why there is none."""
         key = (name, receptacle)
-        if key not in self._tried_releases:
+        if key not in self._releases:
             held, goal = self.home.by_name[name], self.home.by_name[receptacle]
-            ways = release_ways(self.home, held, goal, self._views.standable(goal, RELEASE_STAND_RANGE))
-            tried = (way for way in islice(ways, RELEASE_TRIES) if self._can_release(way, name, grasp, receptacle))
-            self._tried_releases[key] = next(tried, None)
-        return self._tried_releases[key]
+            ways = list(release_ways(self.home, held, goal, self._views.standable(goal, RELEASE_STAND_RANGE)))
+            holding = self._holding(name, grasp)
+            tried = (way for way in ways[:RELEASE_TRIES] if self._can_release(way, name, holding, receptacle))
+            found = tuple(islice(tried, WAYS_KEPT))
+            none = Cause.RELEASE_FAILS if ways else Cause.GOAL_OUT_OF_REACH
+            self._releases[key] = found or none
+        return self._releases[key]
 
-    def _can_release(self, release: Release, name: str, grasp: BasePose, receptacle: str) -> bool:
-        self.simulator.reset(grasp)
-        plan = chain(self._pilot.grasp(), self._pilot.stand(release.stand), self._pilot.release(release.joints))
+    def _holding(self, name: str, grasp: Grasp) -> Moment:
+        """Return the moment after an object was grasped."""
+        if name not in self._moments:
+            self._can_grasp(grasp, name)
+            self._moments[name] = self.simulator.moment()
+        return self._moments[name]
+
+    def _can_release(self, release: Release, name: str, holding: Moment, receptacle: str) -> bool:
+        """Say whether a release works for a robot that stands there with the object; the way there is tried later."""
+        self.simulator.return_to(holding, release.stand)
+        plan = self._pilot.release(release.joints, release.rise)
         return self._goes_well(plan, name) and self._comes_to_rest(name, receptacle)
 
     def _goes_well(self, plan: Iterator[Action], name: str) -> bool:
@@ -117,14 +153,30 @@ class Certifier:
         return not any(event.hit is not None or event.blocked for event in events)
 
     def _comes_to_rest(self, name: str, receptacle: str) -> bool:
-        nothing = repeat(DiscreteAction.EMPTY_ACTION, MOST_WAITING)
-        return self._goes_well(nothing, name) and rests_on(self.simulator, name, {receptacle})
+        for _ in range(MOST_WAITING):
+            if not self._goes_well(iter([DiscreteAction.EMPTY_ACTION]), name):
+                return False
+            if rests_on(self.simulator, name, {receptacle}):
+                return True
+            if not self.simulator.physics.is_moving:
+                return False
+        return False
 
     def _is_solved(self, episode: Episode) -> bool:
-        environment = Environment(self.home, episode)
+        environment = self._environment_of(episode)
+        observation = environment.reset(episode)
         oracle = Oracle(environment)
         oracle.reset(episode.instruction, episode.seed)
-        observation = environment.reset()
         while not environment.is_over:
             observation = environment.step(oracle.act(observation).action)
         return environment.measures.overall_success
+
+    def _environment_of(self, episode: Episode) -> Environment:
+        """Return the home's one environment, made for its first episode."""
+        if not self._environments:
+            self._environments.append(Environment(self.home, episode))
+        return self._environments[0]
+
+
+def _certificate(name: str, grasp: Grasp, receptacle: str, release: Release) -> Certificate:
+    return Certificate(name, grasp.stand, receptacle, release.stand, release.joints, grasp.joints, release.rise)

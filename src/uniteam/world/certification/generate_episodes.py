@@ -9,7 +9,9 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
 from uniteam.world.certification.candidate_tasks import CandidateTask, Tally, in_order_of_variety, possible_tasks
 from uniteam.world.certification.certify import Certifier
+from uniteam.world.certification.rejection import Cause, Proposals, Rejected
 from uniteam.world.generation.objects.settling import resting_on
+from uniteam.world.generation.style import LIVED_IN, TIDY
 from uniteam.world.homes.home import Home
 from uniteam.world.task.episode import Episode
 
@@ -24,16 +26,32 @@ _START_CLEARANCE = 0.36
 _SEED_KEY = 4_711
 
 
-class EpisodeMaker:
-    """Makes the episodes of one home."""
+DISTRACTOR_DISTANCE = {TIDY.name: 2.0, LIVED_IN.name: 0.0}
+"""By style: objects of the class that do not count lie at least this far (m) from those that do; else as in tidy."""
 
-    def __init__(self, home: Home, tally: Tally) -> None:
-        """Take a home with a seed and what the split asks for so far; the tally grows with every episode made."""
+
+class EpisodeMaker:
+    """Makes the episodes of one home.
+
+    Attributes:
+        proposals: what came of those that were tried so far.
+    """
+
+    def __init__(self, home: Home, tally: Tally, style: str) -> None:
+        """Take a home and what the split asks for so far.
+
+        Args:
+            home: with a seed.
+            tally: grows with every episode made.
+            style: in which the home was made.
+        """
+        self.proposals = Proposals()
         self._home = home
         self._tally = tally
         self._rng = np.random.default_rng([_SEED_KEY, home.seed or 0])
-        self._certifier = Certifier(home)
-        self._tasks = possible_tasks(home, resting_on(home, self._certifier.simulator.physics))
+        self._certifier = Certifier(home, style)
+        support = resting_on(home, self._certifier.simulator.physics)
+        self._tasks = possible_tasks(home, support, DISTRACTOR_DISTANCE.get(style, DISTRACTOR_DISTANCE[TIDY.name]))
         self._used: set[Instruction] = set()
         self._hopeless: set[CandidateTask] = set()
         self._failures: Counter[str] = Counter()
@@ -51,7 +69,10 @@ class EpisodeMaker:
             if not self._is_promising(task):
                 continue
             episode = self._certify(task, identifier)
-            if episode is not None:
+            if isinstance(episode, Rejected):
+                self.proposals.rejected[episode.cause] += 1
+            else:
+                self.proposals.certified += 1
                 self._used.add(task.instruction)
                 self._tally.add(task.instruction, task.unseen)
                 return episode
@@ -72,10 +93,10 @@ class EpisodeMaker:
         is_new = task.instruction not in self._used and task not in self._hopeless
         return is_new and self._failures[task.instruction.goal_receptacle] < MOST_FAILURES
 
-    def _certify(self, task: CandidateTask, identifier: str) -> Episode | None:
+    def _certify(self, task: CandidateTask, identifier: str) -> Episode | Rejected:
         start = self._start(task.objects)
         seed = int(self._rng.integers(2**31))
-        return None if start is None else self._certifier.certify(task, identifier, start, seed)
+        return Rejected(Cause.NO_START) if start is None else self._certifier.certify(task, identifier, start, seed)
 
     def _start(self, objects: Iterable[str]) -> BasePose | None:
         """Return a random pose on the connected floor, far from the objects, rounded to a centimetre."""

@@ -7,6 +7,7 @@ from pathlib import Path
 from uniteam.errors import InvalidInputError
 from uniteam.world.certification.candidate_tasks import Tally
 from uniteam.world.certification.generate_episodes import EpisodeMaker
+from uniteam.world.certification.rejection import Proposals
 from uniteam.world.homes.home import Home
 from uniteam.world.task.episode import Episode, Split
 from uniteam.world.task.splits import SUFFIX, load_split, write_split
@@ -17,15 +18,19 @@ class GrowingSplit:
 
     Attributes:
         partial: the file, a split that can be played; there is none before the first episode and after `finish`.
+        proposals: what came of the episodes that were proposed in homes done now; not of those done before.
     """
 
-    def __init__(self, out: Path, recipe: object) -> None:
+    def __init__(self, out: Path, recipe: object, style: str) -> None:
         """Take up what an earlier call with the same recipe left beside `out`; raises DamagedFileError.
 
         Args:
             out: the split's file at the end.
             recipe: what decides which episodes are made; its text tells one call from another.
+            style: in which the homes are made.
         """
+        self.proposals = Proposals()
+        self._style = style
         self._out = out
         self._name = out.name.removesuffix(SUFFIX)
         self.partial = out.with_name(f"{self._name}.part-{sha256(repr(recipe).encode()).hexdigest()[:8]}{SUFFIX}")
@@ -71,9 +76,11 @@ class GrowingSplit:
 
     def _make(self, home: Home, count: int, tally: Tally) -> Iterator[Episode]:
         """Yield the episodes of a home, each kept on the disk before the next is begun."""
-        for episode in EpisodeMaker(home, tally).episodes(count):
+        maker = EpisodeMaker(home, tally, self._style)
+        for episode in maker.episodes(count):
             yield episode
             write_split(self._kept(), self.partial)
+        self.proposals.add(maker.proposals)
 
     def _kept(self) -> Split:
         """Return what there is so far, and what was made before of homes that have not come up again yet."""

@@ -12,7 +12,7 @@ from typing import cast
 from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.registry import Registry
 from uniteam.world.generation.generate import POOLS, check_seed, generate_home
-from uniteam.world.generation.style import STYLES, TIDY
+from uniteam.world.generation.style import STYLES, TIDY, style_of
 from uniteam.world.homes.home import Home
 from uniteam.world.homes.serialization import check_home
 
@@ -20,9 +20,28 @@ HomeSource = Callable[[int], Home]
 """From a seed, which is not negative, to the home of that seed."""
 
 
+OWN_STYLE = "own"
+"""Of homes that are from no generator of ours."""
+
+
 def source_name(source: str, style: str) -> str:
-    """Return the name of what makes a source's homes in a style: "test" for tidy ones, "test-lived_in"."""
-    return source if style == TIDY.name else f"{source}-{style}"
+    """Return the name of what makes a source's homes in a style: "test" for tidy ones, "test-lived_in".
+
+    Raises:
+        UnknownNameError: there is no such style.
+        InvalidInputError: the source is not one of ours, and has no styles but its own.
+    """
+    if style_of(style) is TIDY:
+        return source
+    if source not in POOLS:
+        raise InvalidInputError(f"homes in the style '{style}' are made of {' or '.join(POOLS)}, not by '{source}'")
+    return f"{source}-{style}"
+
+
+def style_name(source: str) -> str:
+    """Return the style in which a source of `HOMES` makes its homes, `OWN_STYLE` where it is not one of ours."""
+    styles = {source_name(pool, style): style for pool in POOLS for style in STYLES}
+    return styles.get(source, OWN_STYLE)
 
 
 def _checked(name: str, value: object) -> HomeSource:

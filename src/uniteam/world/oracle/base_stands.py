@@ -5,8 +5,10 @@ at a stand is what its arm points at afterwards. Whether anything is in the way 
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import islice, product
+from typing import TypeVar
 
 import numpy as np
 
@@ -18,7 +20,7 @@ GRASP_REACH = GRASP_RANGE - 0.05
 """How far (m) the gripper may be from what it grasps, a little less than the simulator allows."""
 BEST_GRASP_DISTANCE = 0.6
 """Of the base from the object (m): close, yet with the object well inside the image."""
-IMAGE_MARGIN = 0.08
+IMAGE_MARGIN = 0.06
 """Share of the image, at each border, that an object to be grasped keeps clear of."""
 ARM_MARGIN = 0.01
 """What the arm keeps of its range (m)."""
@@ -26,12 +28,38 @@ BEST_EXTENSION = 0.3
 """Of the arm when it releases (m): far enough from the furniture to turn there with something in the gripper."""
 
 
+_GRASP_POSTURES = (
+    MANIPULATION_POSTURE,
+    *(
+        replace(MANIPULATION_POSTURE, lift=lift, arm=arm, head_tilt=-math.radians(tilt))
+        for arm, lift, tilt in product((0.0, 0.25, 0.48), (0.78, 1.06, 0.45), (45.0, 20.0, 65.0, -8.0))
+        if (arm, lift, tilt) != (0.0, 0.78, 45.0)
+    ),
+)
+STANDS_A_POSTURE, STANDS_APART = 5, 0.2
+"""How many stands a posture is tried at, and how far apart they are (m)."""
+SIDES_APART = 0.5
+"""How far apart the stands are that reach one point from different sides (m)."""
+
+
 @dataclass(frozen=True)
-class Release:
-    """A stand, and the joint positions that hold the gripper over a point."""
+class Grasp:
+    """A stand, and the joint positions at which something is within the gripper's reach and in view."""
 
     stand: BasePose
     joints: Joints
+
+
+@dataclass(frozen=True)
+class Release:
+    """A stand, the joint positions that hold the gripper over a point, and from how much higher it comes (m)."""
+
+    stand: BasePose
+    joints: Joints
+    rise: float = 0.0
+
+
+Way = TypeVar("Way", Grasp, Release)
 
 
 def manipulation_base(stand: BasePose) -> BasePose:
@@ -39,23 +67,40 @@ def manipulation_base(stand: BasePose) -> BasePose:
     return BasePose(stand.x, stand.y, wrap_angle(stand.heading + math.pi / 2.0))
 
 
-def grasp_stands(position: np.ndarray, floor_points: np.ndarray, camera: PinholeCamera) -> Iterator[BasePose]:
-    """Yield stands on (N, 2) points of the floor from which an object (3,) is in reach and in view, best first."""
+def grasps(position: np.ndarray, floor_points: np.ndarray, camera: PinholeCamera) -> Iterator[Grasp]:
+    """Yield ways to grasp an object (3,) that is in reach and in view from (N, 2) points of the floor, best first.
+
+    The posture of the challenge's manipulation mode comes first, at all its stands; then those in which the head looks
+    higher or lower, the lift is nearer to the object's height, or the arm is extended to it.
+    """
     offsets = position[:2] - floor_points
-    order = np.argsort(np.abs(np.hypot(*offsets.T) - BEST_GRASP_DISTANCE), kind="stable")
-    for (x, y), (dx, dy) in zip(floor_points[order], offsets[order], strict=True):
-        stand = BasePose(float(x), float(y), math.atan2(dy, dx))
-        if can_grasp(stand, position, camera):
-            yield stand
+    distances = np.hypot(*offsets.T)
+    for joints in _GRASP_POSTURES:
+        order = np.argsort(np.abs(distances - BEST_GRASP_DISTANCE - joints.arm), kind="stable")
+        stands = (
+            BasePose(float(x), float(y), math.atan2(dy, dx))
+            for (x, y), (dx, dy) in zip(floor_points[order], offsets[order], strict=True)
+        )
+        found = (Grasp(stand, joints) for stand in stands if can_grasp(Grasp(stand, joints), position, camera))
+        yield from islice(apart(found, STANDS_APART), STANDS_A_POSTURE)
 
 
-def can_grasp(stand: BasePose, position: np.ndarray, camera: PinholeCamera) -> bool:
+def apart(ways: Iterable[Way], distance: float) -> Iterator[Way]:
+    """Yield of some ways those whose stands are not near (m) the stand of one that was yielded before."""
+    taken: list[BasePose] = []
+    for way in ways:
+        if all(way.stand.distance_to(stand.x, stand.y) >= distance for stand in taken):
+            taken.append(way.stand)
+            yield way
+
+
+def can_grasp(grasp: Grasp, position: np.ndarray, camera: PinholeCamera) -> bool:
     """Return whether an object at `position` (3,) is near enough to the gripper and well inside the camera's view."""
-    in_base = transform_points(invert_transform(manipulation_base(stand).matrix()), position)
-    gripper = gripper_to_base(MANIPULATION_POSTURE)[:3, 3]
+    in_base = transform_points(invert_transform(manipulation_base(grasp.stand).matrix()), position)
+    gripper = gripper_to_base(grasp.joints)[:3, 3]
     if float(np.linalg.norm(in_base - gripper)) > GRASP_REACH:
         return False
-    in_camera = transform_points(invert_transform(head_camera_to_base(MANIPULATION_POSTURE)), in_base)
+    in_camera = transform_points(invert_transform(head_camera_to_base(grasp.joints)), in_base)
     if in_camera[2] <= 0.0:
         return False
     u, v = camera.project(in_camera) / (camera.width, camera.height)
@@ -91,7 +136,14 @@ def releases(point: np.ndarray, floor_points: np.ndarray, gripper_height: float,
     ]
 
 
-def approach(joints: Joints) -> tuple[Joints, Joints, Joints]:
-    """Return the postures through which the arm comes to release at `joints`: lifted, the wrist turned, extended."""
-    lifted = replace(MANIPULATION_POSTURE, lift=joints.lift)
-    return lifted, replace(joints, arm=lifted.arm), joints
+def approach(joints: Joints, rise: float) -> tuple[Joints, ...]:
+    """Return the postures through which the arm comes to release at `joints`.
+
+    It is lifted, the wrist is turned, the arm extended; from above, all of that `rise` (m) higher, and it is lowered
+    at the end.
+    """
+    high = min(joints.lift + rise, JOINT_LIMITS[1].lift)
+    lifted = replace(MANIPULATION_POSTURE, lift=high)
+    over = replace(joints, lift=high)
+    way = (lifted, replace(over, arm=lifted.arm), over)
+    return way if high == joints.lift else (*way, joints)

@@ -19,6 +19,10 @@ from uniteam.world.task.episode import Candidate, Certificate, Episode
 LOOKING_DISTANCE = 1.1
 """From which (m) things of every height are well inside the head camera's view."""
 MOST_LOOKS = 6
+FARTHER_APART = 0.6
+"""Where the first looks are in vain, the next are from points so far apart (m), with the head tilted too."""
+TILTS = (math.radians(22.0), -math.radians(22.0))
+"""By how much higher and lower than in navigation the head looks then (rad)."""
 MOST_WAITING = 150
 
 
@@ -54,11 +58,12 @@ class Oracle:
         candidate = _candidate(episode.objects, certificate.object)
         yield from self._look("FIND_OBJECT", candidate, self._position(candidate.name))
         yield from _decide("NAVIGATE_TO_OBJECT", "Drive to the stand.", pilot.stand(certificate.grasp))
-        yield from _decide("PICK", "Grasp as certified.", pilot.grasp())
+        yield from _decide("PICK", "Grasp as certified.", pilot.grasp(certificate.grasp_joints))
         goal = _candidate(episode.goal_receptacles, certificate.receptacle)
         yield from self._look("FIND_RECEPTACLE", goal, self._release_point())
         yield from _decide("NAVIGATE_TO_RECEPTACLE", "Drive to the stand.", pilot.stand(certificate.release))
-        yield from _decide("PLACE", "Release as certified.", pilot.release(certificate.release_joints))
+        release = pilot.release(certificate.release_joints, certificate.release_rise)
+        yield from _decide("PLACE", "Release as certified.", release)
         yield from _decide("PLACE", "Wait for the object to come to rest.", self._wait())
 
     def _position(self, name: str) -> Point2:
@@ -72,11 +77,24 @@ class Oracle:
 
     def _look(self, state: str, target: Candidate, at: Point2) -> Iterator[Decision]:
         """Face a target from one view point after the other until the measures say that it was found."""
-        for point in _best_views(target, at)[:MOST_LOOKS]:
-            yield from _decide(state, f"Drive to a view point of {target.name}.", self._pilot.drive(point))
-            yield from _decide(state, f"Face {target.name}.", self._pilot.face(at))
+        views = _best_views(target, at)
+        for point in views[:MOST_LOOKS]:
+            yield from self._face(state, target, at, point)
             if self._is_found(state):
                 return
+        for point in _spread(views, FARTHER_APART)[:MOST_LOOKS]:
+            yield from self._face(state, target, at, point)
+            for tilt in (0.0, *TILTS):
+                yield from _decide(state, "Look higher or lower.", self._pilot.tilt_head(tilt))
+                if self._is_found(state):
+                    break
+            yield from _decide(state, "Look ahead again.", self._pilot.tilt_head(0.0))
+            if self._is_found(state):
+                return
+
+    def _face(self, state: str, target: Candidate, at: Point2, point: Point2) -> Iterator[Decision]:
+        yield from _decide(state, f"Drive to a view point of {target.name}.", self._pilot.drive(point))
+        yield from _decide(state, f"Face {target.name}.", self._pilot.face(at))
 
     def _is_found(self, state: str) -> bool:
         measures = self._environment.measures
@@ -110,3 +128,12 @@ def _best_views(target: Candidate, at: Point2) -> list[Point2]:
     """Return a target's view points, those at the best distance for looking at a point (m, world) first."""
     distances = np.hypot(*(np.array(target.view_points) - at).T)
     return [target.view_points[i] for i in np.argsort(np.abs(distances - LOOKING_DISTANCE), kind="stable")]
+
+
+def _spread(points: list[Point2], distance: float) -> list[Point2]:
+    """Return of some points those that are not near (m) one before them."""
+    kept: list[Point2] = []
+    for point in points:
+        if all(math.dist(point, other) >= distance for other in kept):
+            kept.append(point)
+    return kept

@@ -5,9 +5,11 @@ one is asked for.
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Action, DiscreteAction, JointDisplacement, Joints
+from uniteam.stretch import NAVIGATION_POSTURE
 from uniteam.world.oracle.base_driving import to_point, turn
 from uniteam.world.oracle.base_stands import approach
 from uniteam.world.oracle.true_paths import PathField
@@ -40,16 +42,25 @@ class Pilot:
         """Yield the actions that turn the base to a point (m, world)."""
         yield from turn(self._simulator.base.bearing_to(*point))
 
-    def grasp(self) -> Iterator[Action]:
-        """Yield the actions that grasp what is in front of the robot."""
+    def tilt_head(self, angle: float) -> Iterator[Action]:
+        """Yield the action that tilts the head by an angle (rad) from where it is in navigation, up where positive."""
+        joints = self._simulator.joints
+        yield from self._pose(replace(joints, head_tilt=NAVIGATION_POSTURE.head_tilt + angle))
+
+    def grasp(self, joints: Joints) -> Iterator[Action]:
+        """Yield the actions that grasp, at a posture, what is in front of the robot."""
         yield DiscreteAction.MANIPULATION_MODE
+        yield from self._pose(joints)
         yield DiscreteAction.SNAP_OBJECT
         yield DiscreteAction.NAVIGATION_MODE
 
-    def release(self, joints: Joints) -> Iterator[Action]:
-        """Yield the actions that release what is held at a posture, in front of the robot."""
+    def release(self, joints: Joints, rise: float) -> Iterator[Action]:
+        """Yield the actions that release what is held at a posture, in front of the robot, from `rise` (m) higher."""
         yield DiscreteAction.MANIPULATION_MODE
-        for posture in approach(joints):
-            if posture != self._simulator.joints:
-                yield JointDisplacement(posture - self._simulator.joints)
+        for posture in approach(joints, rise):
+            yield from self._pose(posture)
         yield DiscreteAction.DESNAP_OBJECT
+
+    def _pose(self, joints: Joints) -> Iterator[Action]:
+        if joints != self._simulator.joints:
+            yield JointDisplacement(joints - self._simulator.joints)

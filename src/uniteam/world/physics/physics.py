@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.errors import UnknownNameError
-from uniteam.geometry import Point3, pose_matrix
+from uniteam.geometry import Point3, pose_matrices, pose_matrix
 from uniteam.world.homes.home import Home
 from uniteam.world.physics.physics_model import TIMESTEP, HomeModel, compile_home
 
@@ -101,6 +101,10 @@ class Physics:
     def pose(self, name: str) -> NDArray[np.float64]:
         """Return the (4, 4) transform from the model's frame to the world."""
         return _matrix(self._state(self._data, name))
+
+    def poses(self) -> NDArray[np.float64]:
+        """Return the (N, 4, 4) poses of all bodies in the order of `names`."""
+        return pose_matrices(self._data.qpos.reshape(-1, 7))
 
     def set_pose(self, name: str, model_to_world: NDArray[np.float64]) -> None:
         """Put a body somewhere, at standstill and awake; it is back if it had been taken away."""

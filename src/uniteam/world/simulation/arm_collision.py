@@ -98,7 +98,7 @@ class ArmCollider:
         self._version = self._physics.version
         geoms = np.flatnonzero(self._bodies > 0)
         if len(geoms):
-            poses = np.array([self._physics.pose(name) for name in self._physics.names])[self._bodies[geoms] - 1]
+            poses = self._physics.poses()[self._bodies[geoms] - 1]
             self._low[geoms], self._high[geoms] = _boxes(poses, self._model.low[geoms], self._model.high[geoms])
 
     def _met(

@@ -21,13 +21,13 @@ class FloorWatch:
         """Take the objects as they are now: they have come to rest."""
         self._home, self._physics = home, physics
         self._at_first = NavigableFloor(home)
-        self._rest = {name: physics.pose(name) for name in physics.names}
+        self._rest = physics.poses()
         self.restart()
 
     def restart(self) -> None:
         """Take note that every object is back where it was at first."""
         self.floor = self._at_first
-        self._known = dict(self._rest)
+        self._known = self._rest.copy()
         self._version = self._physics.version
 
     def update(self) -> None:
@@ -35,8 +35,9 @@ class FloorWatch:
         if self._physics.version == self._version or self._physics.is_moving:
             return
         self._version = self._physics.version
-        poses = {name: self._physics.pose(name) for name in self._physics.names}
-        moved = {name: pose for name, pose in poses.items() if np.abs(pose - self._known[name]).max() > _MOVED}
-        if moved:
-            self.floor = self.floor.with_moved(self._home, moved)
-            self._known |= moved
+        poses = self._physics.poses()
+        moved = np.flatnonzero((np.abs(poses - self._known) > _MOVED).any(axis=(1, 2)))
+        if len(moved):
+            names = self._physics.names
+            self.floor = self.floor.with_moved(self._home, {names[k]: poses[k] for k in moved})
+            self._known[moved] = poses[moved]

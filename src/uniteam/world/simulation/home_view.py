@@ -68,7 +68,7 @@ class HomeView:
         if self._seen_version == self._physics.version:
             return {}
         self._seen_version = self._physics.version
-        return {name: self._physics.pose(name) for name in self._physics.names}
+        return dict(zip(self._physics.names, self._physics.poses(), strict=True))
 
 
 def _hanging(home: Home) -> Iterator[str]:

@@ -6,7 +6,7 @@ puts the joints where they are asked to be and looks there only). Objects move o
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,12 +23,13 @@ from uniteam.stretch import (
 from uniteam.timing import section
 from uniteam.world.homes.home import Home
 from uniteam.world.physics.navigable_floor import NavigableFloor
-from uniteam.world.physics.physics import Physics
+from uniteam.world.physics.physics import Physics, PhysicsState
 from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.simulation.arm_collision import ArmCollider
 from uniteam.world.simulation.floor_watch import FloorWatch
 from uniteam.world.simulation.graspable import GraspRule
 from uniteam.world.simulation.gripper import Gripper
+from uniteam.world.simulation.held_object import HeldObject
 from uniteam.world.simulation.home_view import HomeView
 from uniteam.world.simulation.robot_state import (
     RobotState,
@@ -46,6 +47,16 @@ QUARTER_TURN = np.pi / 2
 """By how much the base turns for the arm to point to where it faced (rad)."""
 EXTENDED_LIFT = 0.8
 """To which `EXTEND_ARM` brings the lift (m), as HomeRobot does."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """Where everything is in a home, and what the gripper holds."""
+
+    physics: PhysicsState
+    state: RobotState
+    is_manipulating: bool
+    held: HeldObject | None
 
 
 class Simulator:
@@ -77,6 +88,18 @@ class Simulator:
         self._state = RobotState(base, NAVIGATION_POSTURE)
         self._gripper.held = None
         self._frame: Frame | None = None
+
+    def moment(self) -> Moment:
+        """Return everything that decides how the home goes on, for `return_to`."""
+        return Moment(self.physics.save(), self._state, self._is_manipulating, self._gripper.held)
+
+    def return_to(self, moment: Moment, base: BasePose) -> None:
+        """Go on from a moment with the base elsewhere (world): for those who try things out, not for agents."""
+        self.physics.restore(moment.physics)
+        self._state = RobotState(base, moment.state.joints)
+        self._is_manipulating = moment.is_manipulating
+        self._gripper.held = moment.held
+        self._frame = None
 
     @property
     def floor(self) -> NavigableFloor:

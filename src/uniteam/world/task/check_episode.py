@@ -4,6 +4,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import fields
+from itertools import product
 
 import numpy as np
 
@@ -98,10 +99,10 @@ def _certificate_problems(certificate: Certificate, objects: Iterable[str], goal
         if not _is_pose(getattr(certificate, field)):
             yield f"certificate.{field}: x, y and heading must be finite numbers"
     low, high = JOINT_LIMITS
-    for joint in (field.name for field in fields(Joints)):
-        position = getattr(certificate.release_joints, joint)
+    for posture, joint in product(("grasp_joints", "release_joints"), (field.name for field in fields(Joints))):
+        position = getattr(getattr(certificate, posture), joint)
         if not getattr(low, joint) - _SLACK <= position <= getattr(high, joint) + _SLACK:
-            yield f"certificate.release_joints: {joint} is beyond its range"
+            yield f"certificate.{posture}: {joint} is beyond its range"
 
 
 def _is_pose(pose: BasePose) -> bool:

@@ -9,8 +9,10 @@ import numpy as np
 
 from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction, Joints
+from uniteam.stretch import MANIPULATION_POSTURE
 from uniteam.world.homes.home import Home
 from uniteam.world.homes.serialization import home_digest
+from uniteam.world.task.tags import Tags
 
 MAXIMUM_STEPS = 1250
 """Of an episode, as in the challenge."""
@@ -40,6 +42,8 @@ class Certificate:
         receptacle: name of the goal receptacle it was put on.
         release: where the base stood (world) before it entered manipulation mode and placed.
         release_joints: at which the object was released.
+        grasp_joints: at which it was grasped.
+        release_rise: how much higher (m) the gripper came over the place before it was lowered to release.
     """
 
     object: str
@@ -47,6 +51,8 @@ class Certificate:
     receptacle: str
     release: BasePose
     release_joints: Joints
+    grasp_joints: Joints = MANIPULATION_POSTURE
+    release_rise: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -64,6 +70,7 @@ class Episode:
         unseen: whether the object's class occurs in no training home.
         seed: of every random choice made while it is played.
         certificate: how it was solved when it was made; None in an episode that nobody certified.
+        tags: what makes it easy or hard; None in an episode that nobody measured.
     """
 
     id: str
@@ -76,6 +83,7 @@ class Episode:
     unseen: bool
     seed: int
     certificate: Certificate | None = None
+    tags: Tags | None = None
 
 
 @dataclass(frozen=True)

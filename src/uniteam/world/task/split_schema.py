@@ -1,10 +1,12 @@
 """The lines of a split's file: their fields, their types and their bounds."""
 
 import math
+from dataclasses import asdict
 from typing import Annotated
 
 import msgspec
 
+from uniteam.stretch import MANIPULATION_POSTURE
 from uniteam.world.homes.schema import Coordinate, Name
 
 MOST_BYTES = 64 * 1024 * 1024
@@ -55,6 +57,26 @@ class CertificateData(msgspec.Struct, forbid_unknown_fields=True):
     receptacle: Name
     release: PoseData
     release_joints: JointsData
+    grasp_joints: JointsData = msgspec.field(default_factory=lambda: JointsData(**asdict(MANIPULATION_POSTURE)))
+    release_rise: Annotated[float, msgspec.Meta(ge=0.0, le=1.1)] = 0.0
+
+
+Count = Annotated[int, msgspec.Meta(ge=0, le=1_000_000)]
+Length = Annotated[float, msgspec.Meta(ge=0.0, le=100_000.0)]
+
+
+class TagsData(msgspec.Struct, forbid_unknown_fields=True):
+    """`Tags`."""
+
+    style: Name
+    area: Length
+    rooms: Count
+    shortest_path: Length
+    least_clearance: Length
+    object_height: Length
+    object_pixels: Count
+    goals: Count
+    same_class: Count
 
 
 class EpisodeData(msgspec.Struct, forbid_unknown_fields=True):
@@ -70,6 +92,7 @@ class EpisodeData(msgspec.Struct, forbid_unknown_fields=True):
     unseen: bool
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)]
     certificate: CertificateData | None = None
+    tags: TagsData | None = None
 
 
 class ViewPointsData(msgspec.Struct, forbid_unknown_fields=True):

@@ -34,6 +34,7 @@ from uniteam.world.task.split_schema import (
     PoseData,
     ViewPointsData,
 )
+from uniteam.world.task.tags import Tags
 
 SPLIT_DIRECTORY = Path(__file__).parent / "splits"
 SPLIT_NAMES = ("minival", "val", "test-standard", "test-challenge", "train")
@@ -187,6 +188,7 @@ def _encode_episode(episode: Episode) -> dict[str, Any]:
         "unseen": episode.unseen,
         "seed": episode.seed,
         "certificate": asdict(episode.certificate) if episode.certificate else None,
+        "tags": asdict(episode.tags) if episode.tags else None,
     }
 
 
@@ -203,12 +205,14 @@ def _episode(data: EpisodeData, seen_from: ViewPoints) -> Episode:
         unseen=data.unseen,
         seed=data.seed,
         certificate=None if data.certificate is None else _certificate(data.certificate),
+        tags=None if data.tags is None else Tags(**msgspec.structs.asdict(data.tags)),
     )
 
 
 def _certificate(data: CertificateData) -> Certificate:
-    joints = Joints(**msgspec.structs.asdict(data.release_joints))
-    return Certificate(data.object, _pose(data.grasp), data.receptacle, _pose(data.release), joints)
+    release, grasp = (Joints(**msgspec.structs.asdict(joints)) for joints in (data.release_joints, data.grasp_joints))
+    stands = _pose(data.grasp), _pose(data.release)
+    return Certificate(data.object, stands[0], data.receptacle, stands[1], release, grasp, data.release_rise)
 
 
 def _pose(data: PoseData) -> BasePose:
