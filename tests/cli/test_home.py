@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import cv2
+import mujoco
 import numpy as np
 import pytest
 from worlds.own_home import made_home
@@ -30,9 +31,24 @@ def test_a_homes_own_file_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture
     assert str(out) in told.replace("\n", "")
 
 
+def test_a_home_is_written_for_other_programs_and_its_ways_are_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_home(made_home(tmp_path), tmp_path / "loft.json")
+    mjcf, glb = tmp_path / "mjcf", tmp_path / "loft.glb"
+    asked = ("home", str(tmp_path / "loft.json"), "--out", str(tmp_path / "pictures"), "--mjcf", str(mjcf))
+    assert call(*asked, "--glb", str(glb)) == 0
+    assert mujoco.MjModel.from_xml_path(str(mjcf / "home.xml")).ngeom > 5
+    assert glb.read_bytes()[:4] == b"glTF"
+    told = capsys.readouterr().out
+    assert "way between rooms" in told and "receptacles" in told
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
+        (("home", "7", "--source", "my:own", "--style", "lived_in"), "are made of train or test, not by 'my:own'"),
+        (("home", "7", "--glb", "home.gltf"), ".glb"),
         (("home", "nowhere.json"), "'nowhere.json' is neither a seed (a whole number) nor the file of a home"),
         (("home", "--", "-1"), "a home's seed must not be negative, got -1"),
         (("home", "9" * 5000), "is neither a seed (a whole number) nor the file of a home"),

@@ -59,6 +59,15 @@ def compile_home(home: Home) -> HomeModel:
     return _Builder(home).build()
 
 
+def home_spec(home: Home) -> Any:
+    """Return a home's MjSpec, not compiled yet and without the robot's arm, for those who add to it.
+
+    Raises:
+        DamagedFileError: the stage's mesh cannot be read.
+    """
+    return _Builder(home).bare_spec()
+
+
 class _Builder:
     def __init__(self, home: Home) -> None:
         self._home = home
@@ -71,16 +80,26 @@ class _Builder:
         self._set_options()
         self._add_floor()
         self._add_arm()
+        self._add_home()
+        names = tuple(instance.name for instance in self._home.instances if instance.movable)
+        low, high = (np.array(corners) for corners in zip(*self._corners, strict=True))
+        return HomeModel(self._compiled(), names, tuple(self._owners), low, high, range(1, 1 + len(ARM_BOXES)))
+
+    def bare_spec(self) -> Any:
+        """Return the home alone."""
+        self._set_options()
+        self._add_floor()
+        self._add_home()
+        return self._spec
+
+    def _add_home(self) -> None:
         self._add_walls(self._home.stage)
         for instance in self._home.instances:
             if not instance.movable:
                 self._add_fixed(instance)
-        movable = [instance for instance in self._home.instances if instance.movable]
-        for instance in movable:
-            self._add_movable(instance)
-        names = tuple(instance.name for instance in movable)
-        low, high = (np.array(corners) for corners in zip(*self._corners, strict=True))
-        return HomeModel(self._compiled(), names, tuple(self._owners), low, high, range(1, 1 + len(ARM_BOXES)))
+        for instance in self._home.instances:
+            if instance.movable:
+                self._add_movable(instance)
 
     def _compiled(self) -> Any:
         try:

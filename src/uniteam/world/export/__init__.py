@@ -1,0 +1,1 @@
+"""Homes as files for other programs: a MuJoCo model, and one glTF binary."""
