@@ -128,8 +128,9 @@ def _rows(evaluation: Evaluation, groups: Groups) -> dict[str, Row]:
 def _caption(evaluation: Evaluation) -> str:
     run, count = evaluation.run, len(evaluation.wanted)
     episodes = f"{count} episode{'' if count == 1 else 's'}"
+    split = f"{evaluation.split.name} (version {evaluation.split.version})"
     words = (
-        f"Percent, steps: mean over 95 % interval. Split {evaluation.split.name}, perception {run.perception}, "
+        f"Percent, steps: mean over 95 % interval. Split {split}, perception {run.perception}, "
         f"camera {run.camera}, grasp {run.grasp}, {episodes}, uniteam {uniteam.__version__}."
     )
     return shown(words)

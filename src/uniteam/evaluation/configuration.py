@@ -58,6 +58,7 @@ def resolve(run: Run, split: Split) -> dict[str, Any]:
         "version": uniteam.__version__,
         "code": source_digest(),
         "split": split.name,
+        "split_version": split.version,
         "split_digest": _digest([_split_path(run.split)]),
         "homes_digest": _text_digest("".join(home_digest(split.homes[name]) for name in split.homes)),
         "models_digest": load_catalogue().digest[:DIGITS],

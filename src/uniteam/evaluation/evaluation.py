@@ -103,7 +103,7 @@ class Evaluation:
 
     def write_summary(self) -> None:
         """Write the figures to `summary.json`; each agent's say what they are from."""
-        names = ("split", "split_digest", "perception", "camera", "grasp", "version")
+        names = ("split", "split_version", "split_digest", "perception", "camera", "grasp", "version")
         source = {**{name: self._configuration[name] for name in names}, "episodes_asked": len(self._wanted)}
         self.store.write_summary({agent: {**source, **s.to_data()} for agent, s in self.summaries().items()})
 

@@ -68,7 +68,7 @@ def _episode(identifier: str, home: str) -> Episode:
 def _split() -> Split:
     homes = {name: _home(name) for name in ("home_1", "home_2")}
     episodes = (_episode("0", "home_1"), _episode("1", "home_1"), _episode("2", "home_2"))
-    return Split("mine", episodes, homes)
+    return Split("mine", episodes, homes, version=3)
 
 
 def _viewable(episode: Episode) -> list[tuple[str, list[tuple[float, float]]]]:
@@ -80,7 +80,7 @@ def test_a_split_comes_back_from_its_file_as_it_was_written(tmp_path: Path) -> N
     path = tmp_path / "mine.jsonl.gz"
     write_split(split, path)
     read = load_split(str(path))
-    assert read.name == "mine"
+    assert (read.name, read.version) == ("mine", 3)
     assert dict(read.homes) == split.homes
     for got, expected in filled(zip(read.episodes, split.episodes, strict=True)):
         assert got.certificate == expected.certificate
@@ -259,3 +259,18 @@ def test_the_digest_is_that_of_the_content(tmp_path: Path) -> None:
     home = split.homes["home_1"]
     moved = {**split.homes, "home_1": replace(home, stage=replace(home.stage, ceiling_height=2.7))}
     assert replace(split, homes=moved).digest != split.digest
+
+
+def test_a_file_that_tells_no_version_is_of_the_first(tmp_path: Path) -> None:
+    path = tmp_path / "mine.jsonl"
+    write_split(_split(), path)
+    lines = gzip.decompress(path.read_bytes()).decode().splitlines(keepends=True)
+    path.write_text("".join(lines[1:]))
+    assert load_split(path).version == 1
+    path.write_text(lines[0] + "".join(lines))
+    with pytest.raises(DamagedFileError, match="version"):
+        load_split(path)
+
+
+def test_another_version_is_another_split() -> None:
+    assert _split().digest != replace(_split(), version=4).digest

@@ -88,16 +88,24 @@ class Episode:
 
 @dataclass(frozen=True)
 class Split:
-    """Named episodes and the homes they are played in."""
+    """Named episodes and the homes they are played in.
+
+    Attributes:
+        name: of the split.
+        episodes: in their order.
+        homes: by their names.
+        version: which making of the split it is; results of one do not compare with those of another.
+    """
 
     name: str
     episodes: tuple[Episode, ...]
     homes: Mapping[str, Home]
+    version: int = 1
 
     @cached_property
     def digest(self) -> str:
-        """A SHA-256 of all that results depend on: the episodes in their order, and the homes with their libraries."""
-        together = sha256()
+        """A SHA-256 of all that results depend on: the version, the episodes in order, and the homes with libraries."""
+        together = sha256(str(self.version).encode())
         for episode in self.episodes:
             candidates = (*episode.objects, *episode.goal_receptacles)
             names = [[c.name for c in part] for part in (episode.objects, episode.goal_receptacles)]

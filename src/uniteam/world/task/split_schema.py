@@ -102,9 +102,16 @@ class ViewPointsData(msgspec.Struct, forbid_unknown_fields=True):
     instances: dict[Name, Runs]
 
 
+class SplitData(msgspec.Struct, forbid_unknown_fields=True):
+    """What a `Split` is besides its episodes and homes."""
+
+    version: Annotated[int, msgspec.Meta(ge=1, le=1_000_000)]
+
+
 class LineData(msgspec.Struct, forbid_unknown_fields=True):
-    """A line: one of the three."""
+    """A line: one of the four."""
 
     home: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
     view_points: ViewPointsData | msgspec.UnsetType = msgspec.UNSET
     episode: EpisodeData | msgspec.UnsetType = msgspec.UNSET
+    split: SplitData | msgspec.UnsetType = msgspec.UNSET

@@ -1,7 +1,8 @@
 """Splits as files: JSON lines, gzip, self-contained.
 
 Everything is checked when it is read: the fields of a line by `split_schema`, an episode against its home by
-`check_episode`. A line is one of `{"home": {...}}` (once for each home, objects at rest where physics left them),
+`check_episode`. A line is one of `{"split": {"version": 2}}` (once; a file without it is of version 1),
+`{"home": {...}}` (once for each home, objects at rest where physics left them),
 `{"view_points": {"home": name, "instances": {name: runs}}}` (see `lattice`) and `{"episode": {...}}`. A file may also
 be plain JSON lines, so that a split can be written by hand.
 """
@@ -66,7 +67,8 @@ def load_split(name_or_path: str | Path) -> Split:
         raise _damaged(path, str(error)) from error
     if not episodes:
         raise _damaged(path, "it holds no episode")
-    return Split(path.name.removesuffix(".gz").removesuffix(".jsonl"), episodes, contents.homes)
+    name = path.name.removesuffix(".gz").removesuffix(".jsonl")
+    return Split(name, episodes, contents.homes, contents.version)
 
 
 class _Contents:
@@ -77,13 +79,20 @@ class _Contents:
         self._view_points: dict[str, ViewPoints] = {}
         self._count = 0
         self._episodes: dict[str, EpisodeData] = {}
+        self._versions: dict[str, int] = {}
         self.homes: dict[str, Home] = {}
+
+    @property
+    def version(self) -> int:
+        """Of the split; 1 where no line says so."""
+        return self._versions.get("version", 1)
 
     def add(self, line: bytes) -> None:
         """Take in a line."""
         data = decode_json(line, LineData)
-        if sum(part is not msgspec.UNSET for part in (data.home, data.view_points, data.episode)) != 1:
-            raise ValueError("it must hold one of home, view_points and episode")
+        parts = (data.home, data.view_points, data.episode, data.split)
+        if sum(part is not msgspec.UNSET for part in parts) != 1:
+            raise ValueError("it must hold one of home, view_points, episode and split")
         if data.home is not msgspec.UNSET:
             home = home_from_data(msgspec.json.decode(data.home), self._folder)
             _add(self.homes, "home", home.name, home)
@@ -91,6 +100,8 @@ class _Contents:
             _add(self._view_points, "view points of home", data.view_points.home, self._points(data.view_points))
         if data.episode is not msgspec.UNSET:
             _add(self._episodes, "episode", data.episode.id, data.episode)
+        if data.split is not msgspec.UNSET:
+            _add(self._versions, "split's", "version", data.split.version)
 
     def episodes(self) -> tuple[Episode, ...]:
         """Return the episodes; raises ValueError that names the one in which something is wrong."""
@@ -131,7 +142,7 @@ def _field(error: Exception) -> str:
 
 def write_split(split: Split, path: Path) -> None:
     """Write a split so that the same split gives the same bytes; raises UnwritableError."""
-    lines: list[dict[str, Any]] = []
+    lines: list[dict[str, Any]] = [{"split": {"version": split.version}}]
     for name, home in split.homes.items():
         episodes = [e for e in split.episodes if e.home == name]
         candidates = [c for e in episodes for c in (*e.objects, *e.goal_receptacles)]
