@@ -56,8 +56,8 @@ TIDY = HomeStyle(
     door_widths=(90, 95, 100),
     furnishing=FurnishingStyle(RULES, door_depth=70, hang_doors=fold_back, is_kept_in_reach=lambda rng: True),
     clutter=Clutter(
-        fewest=20, wanted=(28, 55), highest=1.25, most_on_one=7, bare_share=0.2, per_area=6.0, edge=0.015,
-        spot=anywhere, fitting=0.4, frequent=0.2,
+        fewest=20, wanted=(28, 55), more_per_room=0, highest=1.25, most_on_one=7, bare_share=0.2, per_area=6.0,
+        edge=0.015, spot=anywhere, fitting=0.4, frequent=0.2,
     ),
     litter=no_litter,
     is_sound=is_roomy,
@@ -72,8 +72,8 @@ LIVED_IN = HomeStyle(
         LIVED_IN_RULES, door_depth=56, hang_doors=leave_as_used, is_kept_in_reach=lambda rng: bool(rng.random() < 0.85)
     ),
     clutter=Clutter(
-        fewest=50, wanted=(70, 131), highest=1.5, most_on_one=14, bare_share=0.12, per_area=11.0, edge=0.005,
-        spot=often_beside, fitting=0.65, frequent=0.22,
+        fewest=50, wanted=(40, 76), more_per_room=6, highest=1.5, most_on_one=14, bare_share=0.12, per_area=11.0,
+        edge=0.005, spot=often_beside, fitting=0.65, frequent=0.22,
     ),
     litter=scatter_litter,
     is_sound=is_passable,

@@ -37,7 +37,7 @@ _BY_ROOM: Mapping[str, tuple[str, ...]] = {
     "laundry": (*_LAUNDRY, "bottle", "box"),
 }  # fmt: skip
 _PER_AREA = 0.28
-"""How many things lie on a square metre at most, beside the one that may lie anywhere."""
+"""How many things lie on a square metre at most, beside the two that may lie in every room."""
 _MOST_IN_ROOM = 8
 _HEAP_CHANCE = 0.5
 """That a thing lies near the one before."""
@@ -97,7 +97,7 @@ def no_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Instance,
 def _in_room(room: Room, floor: NavigableFloor, ways: _Ways, stock: ObjectStock, rng: Generator) -> Iterator[Instance]:
     """Yield what lies in a room."""
     categories = stock.known(_BY_ROOM.get(room.kind, ()))
-    count = min(_MOST_IN_ROOM, int(rng.integers(0, 2 + int(_PER_AREA * room.area))))
+    count = min(_MOST_IN_ROOM, int(rng.integers(0, 3 + int(_PER_AREA * room.area))))
     cells = _free_cells(room, floor)
     if not categories or len(cells) == 0:
         return

@@ -31,6 +31,7 @@ class Clutter:
     Attributes:
         fewest: a home that holds fewer is not kept.
         wanted: the range from which the number to put is drawn, the last excluded.
+        more_per_room: how many more are put for each room.
         highest: surfaces above this stay clear (m).
         most_on_one: no piece of furniture holds more.
         bare_share: of the pieces of furniture, that hold nothing.
@@ -42,6 +43,7 @@ class Clutter:
 
     fewest: int
     wanted: tuple[int, int]
+    more_per_room: int
     highest: float
     most_on_one: int
     bare_share: float
@@ -112,7 +114,7 @@ def scatter(
     supports = [support for support in found if support.height <= clutter.highest]
     footprints = [_rectangle(stock.catalogue[piece.model], piece.model_to_world()) for piece in furniture]
     space = _quotas(supports, clutter, rng)
-    wanted = int(rng.integers(*clutter.wanted))
+    wanted = int(rng.integers(*clutter.wanted)) + clutter.more_per_room * len(room_kinds)
     objects: list[Instance] = []
     boxes: dict[int, list[NDArray[np.float64]]] = {}
     for index in _visits(supports, space, 8 * wanted, rng):
