@@ -74,7 +74,7 @@ def test_what_lies_on_the_floor_lies_still_and_is_held_by_nothing() -> None:
     for home in homes():
         physics = Physics(home)
         holders = resting_on(home, physics)
-        lying = set(on_floor(home))
+        lying = {name for name in physics.names if "floor" in physics.touching(name)}
         assert lying and not lying & set(holders)
         assert {i.name for i in home.instances if i.movable} == lying | set(holders)
         physics.advance(1.0)
