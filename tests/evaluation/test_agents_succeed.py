@@ -20,7 +20,7 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Home:
 @pytest.fixture(scope="module")
 def episodes(home: Home) -> dict[str, Episode]:
     """Return the home's certified episodes, by what they ask for."""
-    return {str(episode.instruction): episode for episode in EpisodeMaker(home, Tally()).episodes(2)}
+    return {str(episode.instruction): episode for episode in EpisodeMaker(home, Tally(), "tidy").episodes(2)}
 
 
 @pytest.mark.parametrize("agent", ["baseline", "uniteam-plus"])

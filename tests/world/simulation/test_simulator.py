@@ -272,11 +272,11 @@ def test_mug_released_over_a_sink_ends_in_its_basin(simulator: Simulator) -> Non
 
 
 def test_what_is_dropped_on_the_floor_is_in_the_way_until_it_is_taken_away(simulator: Simulator) -> None:
-    simulator.apply(A.MANIPULATION_MODE, "cup")
-    simulator.apply(A.SNAP_OBJECT, "cup")
-    simulator.apply(A.NAVIGATION_MODE, "cup")
-    simulator.apply(BaseDisplacement(heading=math.pi), "cup")
-    simulator.apply(A.DESNAP_OBJECT, "cup")
+    simulator.apply(A.MANIPULATION_MODE, CUPS)
+    simulator.apply(A.SNAP_OBJECT, CUPS)
+    simulator.apply(A.NAVIGATION_MODE, CUPS)
+    simulator.apply(BaseDisplacement(heading=math.pi / 2), CUPS)
+    simulator.apply(A.DESNAP_OBJECT, CUPS)
     wait(simulator, 80)
     x, y, z = simulator.object_pose("mug_near")[:3, 3]
     assert z < 0.05
@@ -288,9 +288,9 @@ def test_what_is_dropped_on_the_floor_is_in_the_way_until_it_is_taken_away(simul
 def test_the_floor_is_free_where_an_object_was_picked_up(simulator: Simulator) -> None:
     simulator.reset(BasePose(2.1, 2.6, -math.pi / 2))
     assert not simulator.floor.is_free(2.1, 2.0)
-    simulator.apply(A.MANIPULATION_MODE, "cup")
-    simulator.apply(JointDisplacement(Joints(-0.4, 0.0)), "cup")
-    assert simulator.apply(A.SNAP_OBJECT, "cup").grasped == "mug_behind"
+    simulator.apply(A.MANIPULATION_MODE, CUPS)
+    simulator.apply(JointDisplacement(Joints(-0.4, 0.0)), CUPS)
+    assert simulator.apply(A.SNAP_OBJECT, CUPS).grasped == "mug_behind"
     wait(simulator)
     assert simulator.floor.is_free(2.1, 2.0)
 
