@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from worlds.filled import filled
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.geometry import (
@@ -86,6 +87,6 @@ def test_an_unknown_name_is_answered_with_the_nearest() -> None:
 def test_many_poses_are_the_same_to_the_bit_as_one_by_one() -> None:
     rng = np.random.default_rng(0)
     poses = rng.normal(size=(50, 7))
-    for pose, matrix in zip(poses, pose_matrices(poses), strict=True):
+    for pose, matrix in filled(zip(poses, pose_matrices(poses), strict=True)):
         assert np.array_equal(matrix, pose_matrix(pose[:3], pose[3:]))
     assert pose_matrices(np.empty((0, 7))).shape == (0, 4, 4)

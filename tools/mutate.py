@@ -14,11 +14,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from mutants import judge
+from mutants import beyond, judge, mind
 from mutants.mutant import Mutant
 
 ROOT = Path(__file__).resolve().parent.parent
-MUTANTS = (*judge.MUTANTS,)
+MUTANTS = (*judge.MUTANTS, *mind.MUTANTS, *beyond.MUTANTS)
 LONGEST_TEST = 900.0
 """s; a mutant that hangs is noticed too."""
 

@@ -18,6 +18,9 @@ VARIABLE = "NUMBA_CACHE_DIR"
 THREADS = "NUMBA_NUM_THREADS"
 
 SOURCES = (
+    "mind/mapping/block_projection.py",
+    "mind/mapping/clearing.py",
+    "mind/mapping/fine_obstacles.py",
     "mind/mapping/projection.py",
     "mind/navigation/planning/distance_field.py",
     "stretch.py",
@@ -27,6 +30,7 @@ SOURCES = (
     "world/rendering/kernels/rasteriser.py",
     "world/rendering/kernels/scene_buffers.py",
     "world/rendering/kernels/shading.py",
+    "world/task/visible_truth.py",
 )
 """The files of the package with kernels, and those from which kernels take anything."""
 

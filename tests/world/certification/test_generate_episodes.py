@@ -85,7 +85,7 @@ def test_certified_episodes_start_far_from_the_object_and_ask_for_different_thin
     assert len(made) == 2
     assert len({episode.instruction for episode in made}) == 2
     assert len({episode.id for episode in made}) == 2
-    for episode in made:
+    for episode in filled(made):
         assert simulator.floor.is_free(episode.start.x, episode.start.y)
         assert simulator.floor.largest_component[simulator.floor.to_cell(episode.start.x, episode.start.y)]
         for candidate in filled(episode.objects):
@@ -96,7 +96,7 @@ def test_certified_episodes_start_far_from_the_object_and_ask_for_different_thin
 
 
 def test_an_episode_says_what_makes_it_hard(home: Home, made: tuple[Episode, ...], simulator: Simulator) -> None:
-    for episode in made:
+    for episode in filled(made):
         tags, certificate = episode.tags, episode.certificate
         assert tags is not None and certificate is not None
         assert (tags.style, tags.rooms, tags.goals) == ("tidy", len(home.stage.rooms), len(episode.goal_receptacles))

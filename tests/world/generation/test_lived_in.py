@@ -5,6 +5,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from worlds.filled import filled
 
 from uniteam.errors import UnknownNameError
 from uniteam.world.assets.catalogue import load_catalogue
@@ -48,7 +49,7 @@ def test_the_styles_are_sources_of_homes_by_name() -> None:
 
 
 def test_homes_are_large_and_full() -> None:
-    for home in homes():
+    for home in filled(homes()):
         assert 5 <= len(home.stage.rooms) <= 12
         assert 80.0 <= sum(room.area for room in home.stage.rooms) <= 220.0
         assert sum(i.movable for i in home.instances) >= LIVED_IN.clutter.fewest
@@ -57,7 +58,7 @@ def test_homes_are_large_and_full() -> None:
 
 
 def test_the_robot_gets_into_living_room_and_kitchen_and_most_rooms() -> None:
-    assert all(is_passable(home) for home in homes())
+    assert all(is_passable(home) for home in filled(homes()))
 
 
 def test_things_on_the_floor_are_in_the_bases_way() -> None:
@@ -71,7 +72,7 @@ def test_things_on_the_floor_are_in_the_bases_way() -> None:
 
 
 def test_what_lies_on_the_floor_lies_still_and_is_held_by_nothing() -> None:
-    for home in homes():
+    for home in filled(homes()):
         physics = Physics(home)
         holders = resting_on(home, physics)
         lying = {name for name in physics.names if "floor" in physics.touching(name)}
@@ -90,7 +91,7 @@ def test_objects_lie_high_and_low() -> None:
 
 
 def test_some_things_of_one_class_lie_in_several_places() -> None:
-    for home in homes():
+    for home in filled(homes()):
         categories = [i.category for i in home.instances if i.movable]
         assert max(categories.count(category) for category in set(categories)) >= 3
 
@@ -116,5 +117,5 @@ def test_doors_are_narrow_and_some_stand_half_open() -> None:
     assert max(widths) <= 95
     turned = [leaf.degrees for of_home in leaves for leaf in of_home if leaf.degrees]
     assert len(turned) >= 3
-    for of_home in leaves:
-        assert not any(a.rect.grown(-2).overlaps(b.rect.grown(-2)) for a, b in combinations(of_home, 2))
+    for of_home in filled(leaves):
+        assert not any(a.rect.grown(-2).overlaps(b.rect.grown(-2)) for a, b in filled(combinations(of_home, 2)))
