@@ -1,4 +1,4 @@
-"""Two plain rooms with a table, a bed and two objects: a home in which every agent should succeed."""
+"""Two plain rooms with a table, a bed and two objects: a home in which an agent should succeed."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -13,16 +13,22 @@ from uniteam.world.homes.home import Home
 BED_HEIGHT = 0.5
 
 
-def easy_home(folder: Path) -> Home:
-    """Return the home, with meshes of its models written into a folder."""
+BESIDE_THE_DOOR, IN_THE_CORNER = (5.0, 0.55), (1.2, 3.4)
+"""Where the table stands (m): in the bed's room, or in the other one."""
+
+
+def easy_home(folder: Path, table_at: tuple[float, float]) -> Home:
+    """Return the home with a table somewhere; the meshes of its models are written into a folder."""
+    x, y = table_at
+    towards_middle = 0.25 if y < 2.0 else -0.25
     table = _with_top(TABLE, folder)
     size = (2.0, 1.6, BED_HEIGHT)
     bed = _with_top(replace(TABLE, id="bed", category="bed", size=size, shapes=(Box((0.0, 0.0, 0.25), size),)), folder)
     cup, ball = (_with_mesh(replace(model, shapes=(_as_box(model),)), folder) for model in (CUP, BALL))
     return small_home(
-        instance("table", table, 1.2, 0.55),
+        instance("table", table, x, y),
         instance("bed", bed, 6.8, 3.1),
-        instance("cup", cup, 1.3, 0.8, TABLE_HEIGHT),
+        instance("cup", cup, x + 0.1, y + towards_middle, TABLE_HEIGHT),
         instance("ball", ball, 6.4, 2.5, BED_HEIGHT),
         library=Catalogue({model.id: model for model in (table, bed, cup, ball)}, frozenset()),
     )

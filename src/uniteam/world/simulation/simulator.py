@@ -55,7 +55,6 @@ class Moment:
 
     physics: PhysicsState
     state: RobotState
-    is_manipulating: bool
     held: HeldObject | None
 
 
@@ -91,13 +90,12 @@ class Simulator:
 
     def moment(self) -> Moment:
         """Return everything that decides how the home goes on, for `return_to`."""
-        return Moment(self.physics.save(), self._state, self._is_manipulating, self._gripper.held)
+        return Moment(self.physics.save(), self._state, self._gripper.held)
 
     def return_to(self, moment: Moment, base: BasePose) -> None:
         """Go on from a moment with the base elsewhere (world): for those who try things out, not for agents."""
         self.physics.restore(moment.physics)
         self._state = RobotState(base, moment.state.joints)
-        self._is_manipulating = moment.is_manipulating
         self._gripper.held = moment.held
         self._frame = None
 
