@@ -3,7 +3,7 @@
 Most of it lies at walls and furniture, some in the way: the robot has to go around it, but nothing shuts a way.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -47,7 +47,8 @@ _AT_EDGE_CHANCE = 0.75
 _EDGE = 0.25
 """What lies at a wall or at furniture is so near to it (m)."""
 _GAP = 0.02
-_TRIES = 12
+_TRIES, _TRIES_NEAR = 12, 240
+"""How many places are tried for a thing, and for one that is to lie near another."""
 
 
 _STRIDE = 3
@@ -86,7 +87,7 @@ def scatter_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Inst
     """Return things a hair above the floor of a home that has no objects yet."""
     floor = NavigableFloor(home)
     ways = _Ways(floor)
-    return tuple(thing for room in home.stage.rooms for thing in _in_room(room, floor, ways, stock, rng))
+    return tuple(thing for room in home.stage.rooms for thing in _RoomLitter(room, floor, ways, stock, rng).things())
 
 
 def no_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Instance, ...]:
@@ -94,45 +95,51 @@ def no_litter(home: Home, stock: ObjectStock, rng: Generator) -> tuple[Instance,
     return ()
 
 
-def _in_room(room: Room, floor: NavigableFloor, ways: _Ways, stock: ObjectStock, rng: Generator) -> Iterator[Instance]:
-    """Yield what lies in a room."""
-    categories = stock.known(_BY_ROOM.get(room.kind, ()))
-    count = min(_MOST_IN_ROOM, int(rng.integers(0, 3 + int(_PER_AREA * room.area))))
-    cells = _free_cells(room, floor)
-    if not categories or len(cells) == 0:
-        return
-    placed: list[_Spot] = []
-    for _ in range(count):
-        model = stock.of(categories[int(rng.integers(len(categories)))], rng)
-        spot = _spot(model, cells, floor, placed, rng)
-        if spot is not None and ways.lets_stand(spot):
-            placed.append(spot)
-            yield _lying(model, spot, room, rng)
+@dataclass(frozen=True)
+class _RoomLitter:
+    """What lies on the floor of one room."""
 
+    room: Room
+    floor: NavigableFloor
+    ways: _Ways
+    stock: ObjectStock
+    rng: Generator
 
-def _free_cells(room: Room, floor: NavigableFloor) -> NDArray[np.int64]:
-    """Return the (N, 2) cells of a room's floor that nothing stands on."""
-    (top, left), (bottom, right) = floor.to_cell(*room.low), floor.to_cell(*room.high)
-    cells = np.argwhere(floor.cells[top:bottom, left:right] > _GAP)[::3]
-    return np.asarray(cells + np.array([top, left]))
+    def things(self) -> Iterator[Instance]:
+        """Yield what lies there."""
+        categories = self.stock.known(_BY_ROOM.get(self.room.kind, ()))
+        count = min(_MOST_IN_ROOM, int(self.rng.integers(0, 3 + int(_PER_AREA * self.room.area))))
+        cells = self._free_cells()
+        if not categories or len(cells) == 0:
+            return
+        placed: list[_Spot] = []
+        for _ in range(count):
+            model = self.stock.of(categories[int(self.rng.integers(len(categories)))], self.rng)
+            spot = self._spot(model, cells, placed)
+            if spot is not None and self.ways.lets_stand(spot):
+                placed.append(spot)
+                yield _lying(model, spot, self.room, self.rng)
 
+    def _free_cells(self) -> NDArray[np.int64]:
+        """Return (N, 2) cells on which nothing stands, a third of those in the rectangle around the room."""
+        (top, left), (bottom, right) = (self.floor.to_cell(*corner) for corner in (self.room.low, self.room.high))
+        cells = np.argwhere(self.floor.cells[top:bottom, left:right] > _GAP)[::3]
+        return np.asarray(cells + np.array([top, left]))
 
-def _spot(
-    model: Model, cells: NDArray[np.int64], floor: NavigableFloor, placed: list[_Spot], rng: Generator
-) -> _Spot | None:
-    """Return where a thing may lie, or None where nothing was found."""
-    radius = float(np.hypot(*model.size[:2])) / 2
-    clear = floor.cells[cells[:, 0], cells[:, 1]]
-    least, most = radius + _GAP, radius + (_EDGE if rng.random() < _AT_EDGE_CHANCE else 10.0)
-    fitting = cells[(clear >= least) & (clear <= most)]
-    near = placed[-1] if placed and rng.random() < _HEAP_CHANCE else None
-    for row, column in rng.permutation(fitting)[: _TRIES if near is None else 20 * _TRIES]:
-        x, y = floor.to_point(row, column)
-        if near is not None and np.hypot(x - near.x, y - near.y) > _HEAP:
-            continue
-        if all(np.hypot(x - other.x, y - other.y) >= radius + other.radius + _GAP for other in placed):
-            return _Spot(x, y, radius)
-    return None
+    def _spot(self, model: Model, cells: NDArray[np.int64], placed: Sequence[_Spot]) -> _Spot | None:
+        """Return where a thing may lie, or None where nothing was found."""
+        radius = float(np.hypot(*model.size[:2])) / 2
+        clear = self.floor.cells[cells[:, 0], cells[:, 1]]
+        most = radius + (_EDGE if self.rng.random() < _AT_EDGE_CHANCE else np.inf)
+        fitting = cells[(clear >= radius + _GAP) & (clear <= most)]
+        near = placed[-1] if placed and self.rng.random() < _HEAP_CHANCE else None
+        for row, column in self.rng.permutation(fitting)[: _TRIES if near is None else _TRIES_NEAR]:
+            x, y = self.floor.to_point(row, column)
+            is_near = near is None or np.hypot(x - near.x, y - near.y) <= _HEAP
+            apart = all(np.hypot(x - other.x, y - other.y) >= radius + other.radius + _GAP for other in placed)
+            if is_near and apart and self.room.contains(x, y):
+                return _Spot(x, y, radius)
+        return None
 
 
 def _lying(model: Model, spot: _Spot, room: Room, rng: Generator) -> Instance:
