@@ -83,6 +83,13 @@ def test_what_lies_on_the_floor_lies_still_and_is_held_by_nothing() -> None:
             assert np.linalg.norm(physics.pose(name)[:3, 3] - home.by_name[name].position) < 0.02
 
 
+def test_what_lies_on_the_floor_lies_in_its_room() -> None:
+    for home in homes():
+        rooms = {room.name: room for room in home.stage.rooms}
+        for thing in (home.by_name[name] for name in on_floor(home)):
+            assert rooms[thing.room].contains(*thing.position[:2])
+
+
 def test_objects_lie_high_and_low() -> None:
     heights = [i.position[2] for home in homes() for i in home.instances if i.movable and i.position[2] > 0.03]
     assert min(heights) < 0.2
