@@ -35,7 +35,7 @@ WAYS_KEPT = 3
 """How many ways to release are found for an object and a receptacle, so that another is there where one fails."""
 EPISODE_TRIES = 6
 """How many proposals the simulator is asked about: for an object, for an object and a receptacle, for an episode."""
-GRASP_STAND_RANGE = 1.3
+GRASP_STAND_RANGE = 1.6
 RELEASE_STAND_RANGE = 0.8
 """How far from an instance a stand may be (m)."""
 
