@@ -10,7 +10,7 @@ be plain JSON lines, so that a split can be written by hand.
 import gzip
 import json
 import zlib
-from dataclasses import asdict
+from dataclasses import MISSING, asdict, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -141,8 +141,11 @@ def _field(error: Exception) -> str:
 
 
 def write_split(split: Split, path: Path) -> None:
-    """Write a split so that the same split gives the same bytes; raises UnwritableError."""
-    lines: list[dict[str, Any]] = [{"split": {"version": split.version}}]
+    """Write a split so that the same split gives the same bytes; raises UnwritableError.
+
+    What has the value that a file without it is read with is left out, so that a file of before stays as it is.
+    """
+    lines: list[dict[str, Any]] = [] if split.version == 1 else [{"split": {"version": split.version}}]
     for name, home in split.homes.items():
         episodes = [e for e in split.episodes if e.home == name]
         candidates = [c for e in episodes for c in (*e.objects, *e.goal_receptacles)]
@@ -198,9 +201,15 @@ def _encode_episode(episode: Episode) -> dict[str, Any]:
         "goal_receptacles": [candidate.name for candidate in episode.goal_receptacles],
         "unseen": episode.unseen,
         "seed": episode.seed,
-        "certificate": asdict(episode.certificate) if episode.certificate else None,
-        "tags": asdict(episode.tags) if episode.tags else None,
+        "certificate": _encode_certificate(episode.certificate) if episode.certificate else None,
+        **({"tags": asdict(episode.tags)} if episode.tags else {}),
     }
+
+
+def _encode_certificate(certificate: Certificate) -> dict[str, Any]:
+    defaults = {f.name: f.default for f in fields(Certificate) if f.default is not MISSING}
+    told = {f.name for f in fields(Certificate) if getattr(certificate, f.name) != defaults.get(f.name, MISSING)}
+    return {name: value for name, value in asdict(certificate).items() if name in told}
 
 
 def _episode(data: EpisodeData, seen_from: ViewPoints) -> Episode:
