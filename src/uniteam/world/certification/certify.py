@@ -29,7 +29,7 @@ from uniteam.world.task.episode import Candidate, Certificate, Episode
 from uniteam.world.task.grasp_rules import take_candidate
 from uniteam.world.task.judge import rests_on
 
-GRASP_TRIES = 40
+GRASP_TRIES = 180
 RELEASE_TRIES = 60
 WAYS_KEPT = 3
 """How many ways to release are found for an object and a receptacle, so that another is there where one fails."""

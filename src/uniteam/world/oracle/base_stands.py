@@ -70,7 +70,7 @@ def manipulation_base(stand: BasePose) -> BasePose:
 def grasps(position: np.ndarray, floor_points: np.ndarray, camera: PinholeCamera) -> Iterator[Grasp]:
     """Yield ways to grasp an object (3,) that is in reach and in view from (N, 2) points of the floor, best first.
 
-    The posture of the challenge's manipulation mode comes first, at all its stands; then those in which the head looks
+    The posture of the challenge's manipulation mode comes first, at a few stands; then those in which the head looks
     higher or lower, the lift is nearer to the object's height, or the arm is extended to it.
     """
     offsets = position[:2] - floor_points
