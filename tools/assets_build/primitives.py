@@ -13,6 +13,8 @@ from assets_build.wavefront import SourceMaterial, SourceMesh
 
 Color = tuple[float, float, float]
 Vector = tuple[float, float, float]
+Section = tuple[float, float, float, float, float, float]
+"""A level ring of a lofted body: its height, half extents along x and y, power of roundness, and centre (x, y)."""
 
 
 @dataclass(frozen=True)
@@ -105,6 +107,35 @@ class Drawing:
         capped = [np.tile(points[0], (segments, 1)), *rings, np.tile(points[-1], (segments, 1))]
         self.add(_skin(np.array(capped)), finish)
 
+    def loft(self, sections: Sequence[Section], finish: Finish, segments: int = 20) -> None:
+        """Add a body through level rings, closed at both ends; `power` below 1 makes a ring boxier."""
+        angles = 2 * math.pi * (np.arange(segments) + 0.5) / segments
+        cosines, sines = np.cos(angles), np.sin(angles)
+        rings = []
+        for z, half_x, half_y, power, x, y in sections:
+            ring = np.full((segments, 3), float(z))
+            ring[:, 0] = x + half_x * np.sign(cosines) * np.abs(cosines) ** power
+            ring[:, 1] = y + half_y * np.sign(sines) * np.abs(sines) ** power
+            rings.append(ring)
+        ends = [np.tile(ring.mean(axis=0), (segments, 1)) for ring in (rings[0], rings[-1])]
+        self.add(_skin(np.array([ends[0], *rings, ends[1]])), finish)
+
+    def prism(self, outline: Sequence[tuple[float, float]], low: float, high: float, finish: Finish) -> None:
+        """Add an upright prism over a simple polygon (x, y), counter-clockwise, between two heights."""
+        flat = np.array(outline, dtype=float)
+        caps = flat[_ears(flat)]
+        bottom = np.concatenate([caps[:, ::-1], np.full((len(caps), 3, 1), low)], axis=2)
+        top = np.concatenate([caps, np.full((len(caps), 3, 1), high)], axis=2)
+        rings = np.array([np.column_stack([flat, np.full(len(flat), z)]) for z in (low, high)])
+        self.add(np.concatenate([bottom, top, _skin(rings)]), finish)
+
+    def place(self, part: "Drawing", at: Vector = (0.0, 0.0, 0.0), turn: Vector = (0.0, 0.0, 0.0)) -> None:
+        """Add what another drawing holds, turned by degrees about x, then y, then z, and moved."""
+        for axis, degrees in enumerate(turn):
+            part.turn(degrees, axis)
+        for corners, uvs, owners in zip(part.corners, part.uvs, part.owners, strict=True):
+            self.add(corners + np.array(at), part.finishes[int(owners[0])], uvs)
+
     def turn(self, degrees: float, axis: int = 2) -> None:
         """Turn everything drawn so far about an axis through the origin."""
         c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
@@ -134,6 +165,30 @@ def _skin(grid: NDArray[np.float64]) -> NDArray[np.float64]:
     first = np.stack([a, a_next, b_next], axis=2)
     second = np.stack([a, b_next, b], axis=2)
     return np.concatenate([first.reshape(-1, 3, 3), second.reshape(-1, 3, 3)])
+
+
+def _ears(polygon: NDArray[np.float64]) -> list[tuple[int, int, int]]:
+    """Return the triangles of a simple polygon, counter-clockwise, by clipping its ears."""
+
+    def side(a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64]) -> float:
+        return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+
+    left = list(range(len(polygon)))
+    triangles: list[tuple[int, int, int]] = []
+    while len(left) > 3:
+        for k in range(len(left)):
+            i, j, m = left[k - 1], left[k], left[(k + 1) % len(left)]
+            a, b, c = polygon[[i, j, m]]
+            others = (polygon[n] for n in left if n not in (i, j, m))
+            if side(a, b, c) > 0 and not any(
+                side(a, b, p) >= 0 and side(b, c, p) >= 0 and side(c, a, p) >= 0 for p in others
+            ):
+                triangles.append((i, j, m))
+                del left[k]
+                break
+        else:
+            raise ValueError("the outline crosses itself, or runs clockwise")
+    return [*triangles, (left[0], left[1], left[2])]
 
 
 def _wrapped_uvs(heights: NDArray[np.float64], segments: int, across: float) -> NDArray[np.float64]:

@@ -1,5 +1,6 @@
 """`uniteam assets`: what the pack of models holds, as a table and as contact sheets."""
 
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -15,7 +16,11 @@ PER_SHEET = 48
 
 
 def assets(
-    category: str | None = None, sheet: Path | None = None, shapes: bool = False, library: Path | None = None
+    category: str | None = None,
+    sheet: Path | None = None,
+    shapes: bool = False,
+    counts: bool = False,
+    library: Path | None = None,
 ) -> None:
     """List the models of a library and draw contact sheets of them.
 
@@ -25,6 +30,7 @@ def assets(
         category: show only this class of furniture, object or decor.
         sheet: write contact sheets (PNG, 48 models each) into this folder.
         shapes: draw collision shapes and support surfaces on the sheets instead of the models' looks.
+        counts: list how many models each class of objects and receptacles has to train and to test with.
         library: folder of a library of your own; the package's pack where none is given.
     """
     catalogue = load_catalogue() if library is None else load_library(library)
@@ -32,7 +38,10 @@ def assets(
     if sheet is not None:
         try_folder(sheet)
     console = make_console()
-    console.print(_category_table(models, catalogue) if category is None else _model_table(models))
+    if counts:
+        console.print(_count_table(models, catalogue))
+    else:
+        console.print(_category_table(models, catalogue) if category is None else _model_table(models))
     if sheet is not None:
         for path in write_sheets(models, sheet, shapes):
             console.print(f"wrote {shown(path)}", soft_wrap=True)
@@ -61,6 +70,24 @@ def _chosen(catalogue: Catalogue, category: str | None) -> list[Model]:
     if not found:
         raise UnknownNameError("category", category, {m.category for m in models})
     return found
+
+
+def _count_table(models: Sequence[Model], catalogue: Catalogue) -> Table:
+    """Return a line a class that an episode may name, and a last one of sums."""
+    numbers = Counter((m.role, m.category, m.pool) for m in models if m.role in ("object", "receptacle"))
+    classes = sorted({(role, category) for role, category, _ in numbers})
+    table = Table(title=f"{len(classes)} classes of objects and receptacles", show_footer=True)
+    table.add_column("role", "all")
+    table.add_column("class")
+    for pool in ("train", "test"):
+        table.add_column(pool, str(sum(n for key, n in numbers.items() if key[2] == pool)), justify="right")
+    table.add_column("unseen in training")
+    for role, category in classes:
+        unseen = "yes" if role == "object" and category in catalogue.unseen_categories else ""
+        table.add_row(
+            role, shown(category), *(str(numbers[role, category, pool]) for pool in ("train", "test")), unseen
+        )
+    return table
 
 
 def _category_table(models: Sequence[Model], catalogue: Catalogue) -> Table:
