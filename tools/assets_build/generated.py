@@ -5,6 +5,8 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from assets_build import finishes as f
 from assets_build import palettes as p
@@ -15,6 +17,8 @@ from assets_build.primitives import Drawing, Finish
 from assets_build.selection import Entry
 from assets_build.variation import Pool, Variation
 
+WIDEST_GRASP = 0.139
+"""An object's least side (m) is no more than what the gripper spans."""
 SPREAD = 0.3
 """Objects' sizes differ by so much (share) about the usual one."""
 
@@ -31,7 +35,7 @@ def _piece(planned: Generated, seed: int, path: Path) -> Piece:
     pool: Pool = "test" if seed >= FIRST_TEST else "train"
     v = Variation(planned.factory, pool, seed % 10_000, planned.train if pool == "train" else planned.test)
     with np.load(path) as content:
-        corners = sized(oriented(content["corners"].astype(np.float64), planned), planned, v)
+        corners = outward(sized(oriented(content["corners"].astype(np.float64), planned), planned, v))
         slots, names = content["materials"], [str(name) for name in content["names"]]
     drawing = Drawing()
     finishes = slot_finishes(names, v)
@@ -66,8 +70,25 @@ def sized(corners: NDArray[np.float64], planned: Generated, v: Variation) -> NDA
     """Return the corners at real size: objects get their usual longest side, furniture is shortened to the most."""
     extent = np.ptp(corners.reshape(-1, 3), axis=0)
     if planned.role == "receptacle":
-        return corners * np.minimum(1.0, np.array([planned.longest, planned.longest, 1.95]) / extent)
-    return corners * (planned.longest * v.between(1.0 - SPREAD / 2, 1.0 + SPREAD / 2) / extent.max())
+        return corners * np.minimum(1.0, np.array([planned.longest, planned.longest, planned.tallest]) / extent)
+    usual = planned.longest * v.between(1.0 - SPREAD / 2, 1.0 + SPREAD / 2) / extent.max()
+    return corners * min(usual, WIDEST_GRASP / extent.min())
+
+
+def outward(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the corners with every connected part's triangles turned to wind around its outside."""
+    flat = corners.reshape(-1, 3)
+    _, vertices = np.unique(np.round(flat / 1e-5).astype(np.int64), axis=0, return_inverse=True)
+    triangles = vertices.reshape(-1, 3)
+    count = int(triangles.max()) + 1
+    edges = np.concatenate([triangles[:, :2], triangles[:, 1:]])
+    links = coo_matrix((np.ones(len(edges), np.int8), edges.T), (count, count))
+    parts = connected_components(links, directed=False)[1][triangles[:, 0]]
+    sizes = np.maximum(np.bincount(parts), 1)
+    middles = np.column_stack([np.bincount(parts, corners.mean(axis=1)[:, k]) / sizes for k in range(3)])
+    a, b, c = np.moveaxis(corners - middles[parts][:, None], 1, 0)
+    volumes = np.bincount(parts, np.einsum("ij,ij->i", a, np.cross(b, c)))
+    return np.where((volumes[parts] < 0)[:, None, None], corners[:, ::-1], corners)
 
 
 def slot_finishes(names: list[str], v: Variation) -> list[Finish]:

@@ -15,6 +15,7 @@ class Generated:
         role, category, name: as in the catalogue of the pack.
         train, test: how many seeds are tried for each pool.
         longest: the usual longest side (m) of an object, or the most that furniture may be wide or deep.
+        tallest: the most that furniture may be high (m): the robot is to reach its top.
         turn: degrees about z that bring the front to -y; Infinigen has it towards x.
         lying: whether it is laid on its broad side.
         collision: as in an `Entry`.
@@ -33,6 +34,7 @@ class Generated:
     lying: bool = False
     collision: str = ""
     density: float = 0.0
+    tallest: float = 1.95
 
     @property
     def seeds(self) -> Iterator[int]:
@@ -62,23 +64,7 @@ PLAN: tuple[Generated, ...] = (
     Generated("tableware.fork", "ForkFactory", "object", "fork", "fork", 5, 3, 0.2, density=900),
     Generated("tableware.fork", "SpatulaFactory", "object", "spatula", "spatula", 5, 3, 0.3, density=260),
     Generated("tableware.knife", "KnifeFactory", "object", "knife", "knife", 5, 3, 0.22, density=1400),
-    Generated("tableware.spoon", "SpoonFactory", "object", "spoon", "spoon", 5, 3, 0.2, density=600),
     Generated("tableware.food_box", "FoodBoxFactory", "object", "cereal_box", "cereal box", 0, 3, 0.27, density=130),
-    Generated(
-        "tableware.food_bag",
-        "FoodBagFactory",
-        "object",
-        "crisp_packet",
-        "crisp packet",
-        0,
-        3,
-        0.24,
-        lying=True,
-        density=60,
-    ),
-    Generated(
-        "tableware.chopsticks", "ChopsticksFactory", "object", "chopstick", "chopsticks", 6, 3, 0.24, density=400
-    ),
     Generated("lamp.lamp", "DeskLampFactory", "object", "lamp", "table lamp", 5, 3, 0.36, density=90),
     Generated(
         "table_decorations.vase", "VaseFactory", "object", "vase", "vase", 0, 4, 0.24, collision="hull", density=300
@@ -88,9 +74,11 @@ PLAN: tuple[Generated, ...] = (
     Generated("tables.dining_table", "TableDiningFactory", "receptacle", "table", "dining table", 4, 2, 1.8),
     Generated("tables.dining_table", "SideTableFactory", "receptacle", "stand", "side table", 5, 3, 0.6),
     Generated("tables.dining_table", "CoffeeTableFactory", "receptacle", "table", "coffee table", 3, 2, 1.2),
-    Generated("tables.cocktail_table", "TableCocktailFactory", "receptacle", "table", "bar table", 3, 1, 0.7),
+    Generated(
+        "tables.cocktail_table", "TableCocktailFactory", "receptacle", "table", "bar table", 3, 1, 0.7, tallest=1.02
+    ),
     Generated("seating.chairs", "ChairFactory", "receptacle", "chair", "chair", 6, 3, 0.65),
-    Generated("seating.chairs", "BarChairFactory", "receptacle", "stool", "bar chair", 6, 3, 0.5),
+    Generated("seating.chairs", "BarChairFactory", "receptacle", "stool", "bar chair", 6, 3, 0.5, tallest=0.78),
     Generated("seating.chairs", "OfficeChairFactory", "receptacle", "chair", "office chair", 4, 2, 0.65),
     Generated("seating.sofa", "SofaFactory", "receptacle", "couch", "sofa", 5, 3, 2.1),
     Generated("shelves.simple_bookcase", "SimpleBookcaseFactory", "receptacle", "shelves", "bookcase", 6, 3, 1.2),
@@ -99,16 +87,14 @@ PLAN: tuple[Generated, ...] = (
     Generated("shelves.large_shelf", "LargeShelfFactory", "receptacle", "shelves", "wide shelves", 4, 2, 1.5),
     Generated("shelves.triangle_shelf", "TriangleShelfFactory", "receptacle", "shelves", "corner shelves", 3, 1, 0.6),
     Generated("shelves.simple_desk", "SimpleDeskFactory", "receptacle", "table", "desk", 4, 2, 1.5),
-    Generated("shelves.single_cabinet", "SingleCabinetFactory", "receptacle", "cabinet", "cabinet", 5, 3, 1.2),
+    Generated(
+        "shelves.single_cabinet", "SingleCabinetFactory", "receptacle", "cabinet", "cabinet", 5, 3, 1.2, tallest=1.04
+    ),
     Generated("bathroom.bathtub", "BathtubFactory", "receptacle", "bathtub", "bathtub", 10, 5, 1.8),
     Generated("bathroom.toilet", "ToiletFactory", "receptacle", "toilet", "toilet", 9, 4, 0.8),
     Generated("bathroom.bathroom_sink", "StandingSinkFactory", "receptacle", "sink", "washbasin", 7, 3, 0.8),
-    Generated("seating.pillow", "PillowFactory", "object", "cushion", "cushion", 3, 2, 0.42, lying=True, density=30),
+    Generated("seating.pillow", "PillowFactory", "object", "cushion", "cushion", 1, 1, 0.42, lying=True, density=30),
     Generated(
-        "organizer.basket", "BasketBaseFactory", "object", "basket", "basket", 0, 2, 0.34, collision="boxes", density=60
-    ),
-    Generated("seating.bed", "BedFactory", "receptacle", "bed", "bed", 4, 2, 2.1),
-    Generated(
-        "shelves.kitchen_cabinet", "KitchenCabinetFactory", "receptacle", "counter", "kitchen cabinet", 3, 2, 1.9
+        "organizer.basket", "BasketBaseFactory", "object", "basket", "basket", 0, 1, 0.34, collision="boxes", density=60
     ),
 )

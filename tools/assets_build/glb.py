@@ -2,6 +2,7 @@
 
 import json
 import struct
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,7 +11,8 @@ from numpy.typing import NDArray
 
 from assets_build.geometry import Geometry
 
-FLOAT, BYTE, UNSIGNED_SHORT, UNSIGNED_INT = 5126, 5120, 5123, 5125
+FLOAT, BYTE, SHORT, UNSIGNED_SHORT, UNSIGNED_INT = 5126, 5120, 5122, 5123, 5125
+MOST_SHORT = 32767
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ class _Writer:
         return len(self.views) - 1
 
     def accessor(self, data: bytes, kind: str, component: int, count: int, **more: object) -> int:
-        view = self.view(data, 4 if component == BYTE else 0)
+        view = self.view(data, {BYTE: 4, SHORT: 8}.get(component, 0))
         accessor = {"bufferView": view, "componentType": component, "count": count, "type": kind}
         self.accessors.append(accessor | more)
         return len(self.accessors) - 1
@@ -48,18 +50,34 @@ def _linear(color: tuple[float, float, float]) -> list[float]:
     return [round(c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4, 5) for c in color]
 
 
+def _float_positions(writer: _Writer, points: NDArray[np.floating]) -> int:
+    points = points.astype("<f4")
+    bounds = {"min": points.min(0).tolist(), "max": points.max(0).tolist()}
+    return writer.accessor(points.tobytes(), "VEC3", FLOAT, len(points), **bounds)
+
+
+def _short_positions(writer: _Writer, points: NDArray[np.floating]) -> int:
+    """Write points of [-1, 1] as normalised shorts, which take two thirds of the bytes."""
+    packed = np.zeros((len(points), 4), "<i2")
+    packed[:, :3] = np.round(points * MOST_SHORT)
+    bounds = {"min": packed[:, :3].min(0).tolist(), "max": packed[:, :3].max(0).tolist()}
+    return writer.accessor(packed.tobytes(), "VEC3", SHORT, len(points), normalized=True, **bounds)
+
+
 def _primitive(
-    writer: _Writer, geometry: Geometry, normals: NDArray[np.float32], material: int, textured: bool
+    writer: _Writer,
+    geometry: Geometry,
+    normals: NDArray[np.float32],
+    material: int,
+    textured: bool,
+    write_positions: Callable[[_Writer, NDArray[np.floating]], int],
 ) -> dict:
     chosen = geometry.triangles[geometry.triangle_materials == material]
     used, inverse = np.unique(chosen, return_inverse=True)
-    positions = geometry.positions[used].astype("<f4")
     packed = np.zeros((len(used), 4), np.int8)
     packed[:, :3] = np.round(normals[used] * 127)
     attributes = {
-        "POSITION": writer.accessor(
-            positions.tobytes(), "VEC3", FLOAT, len(used), min=positions.min(0).tolist(), max=positions.max(0).tolist()
-        ),
+        "POSITION": write_positions(writer, geometry.positions[used]),
         "NORMAL": writer.accessor(packed.tobytes(), "VEC3", BYTE, len(used), normalized=True),
     }
     if textured:
@@ -72,6 +90,26 @@ def _primitive(
 
 def write_glb(path: Path, geometry: Geometry, normals: NDArray[np.float32], materials: list[OutputMaterial]) -> None:
     """Write the file; glTF is y-up, so the one node turns the model frame's z up to it."""
+    _write(path, geometry, normals, materials, {}, _float_positions)
+
+
+def write_small_glb(
+    path: Path, geometry: Geometry, normals: NDArray[np.float32], materials: list[OutputMaterial]
+) -> None:
+    """Write the file with positions to 1/32767 of the greatest, which the node scales back."""
+    reach = float(np.abs(geometry.positions).max())
+    scaled = Geometry(geometry.positions / reach, geometry.uvs, geometry.vertex_materials, geometry.triangles)
+    _write(path, scaled, normals, materials, {"scale": [reach] * 3}, _short_positions)
+
+
+def _write(
+    path: Path,
+    geometry: Geometry,
+    normals: NDArray[np.float32],
+    materials: list[OutputMaterial],
+    placing: dict[str, object],
+    write_positions: Callable[[_Writer, NDArray[np.floating]], int],
+) -> None:
     writer = _Writer()
     used = np.unique(geometry.triangle_materials)
     renumber = {int(old): new for new, old in enumerate(used)}
@@ -79,7 +117,9 @@ def write_glb(path: Path, geometry: Geometry, normals: NDArray[np.float32], mate
     remap[used] = np.arange(len(used))
     geometry = Geometry(geometry.positions, geometry.uvs, remap[geometry.vertex_materials], geometry.triangles)
     kept = [materials[old] for old in renumber]
-    primitives = [_primitive(writer, geometry, normals, k, m.jpeg is not None) for k, m in enumerate(kept)]
+    primitives = [
+        _primitive(writer, geometry, normals, k, m.jpeg is not None, write_positions) for k, m in enumerate(kept)
+    ]
     images: list[dict[str, object]] = []
     described = []
     for material in kept:
@@ -95,7 +135,7 @@ def write_glb(path: Path, geometry: Geometry, normals: NDArray[np.float32], mate
         "extensionsRequired": ["KHR_mesh_quantization"],
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "rotation": [-turn, 0.0, 0.0, turn]}],
+        "nodes": [{"mesh": 0, "rotation": [-turn, 0.0, 0.0, turn], **placing}],
         "meshes": [{"primitives": primitives}],
         "materials": described,
         "accessors": writer.accessors,

@@ -9,7 +9,7 @@ import numpy as np
 
 from assets_build.convert import collision_shapes, supporting
 from assets_build.geometry import decimate, split_by_crease, weld
-from assets_build.glb import write_glb
+from assets_build.glb import write_small_glb
 from assets_build.primitives import Drawing
 from assets_build.selection import Entry
 from assets_build.surfaces import Surface
@@ -63,7 +63,7 @@ class Piece:
             shapes, surfaces = supporting(shapes, geometry, size, entry.category)
         split, normals = split_by_crease(geometry)
         path = folder / f"{entry.source}.glb"
-        write_glb(path, split, normals, materials)
+        write_small_glb(path, split, normals, materials)
         low, high = MASSES[entry.role]
         return {
             "id": entry.source,

@@ -109,16 +109,13 @@ class Drawing:
 
     def loft(self, sections: Sequence[Section], finish: Finish, segments: int = 20) -> None:
         """Add a body through level rings, closed at both ends; `power` below 1 makes a ring boxier."""
-        angles = 2 * math.pi * (np.arange(segments) + 0.5) / segments
-        cosines, sines = np.cos(angles), np.sin(angles)
-        rings = []
-        for z, half_x, half_y, power, x, y in sections:
-            ring = np.full((segments, 3), float(z))
-            ring[:, 0] = x + half_x * np.sign(cosines) * np.abs(cosines) ** power
-            ring[:, 1] = y + half_y * np.sign(sines) * np.abs(sines) ** power
-            rings.append(ring)
+        rings = _level_rings(sections, segments)
         ends = [np.tile(ring.mean(axis=0), (segments, 1)) for ring in (rings[0], rings[-1])]
         self.add(_skin(np.array([ends[0], *rings, ends[1]])), finish)
+
+    def shell(self, sections: Sequence[Section], finish: Finish, segments: int = 20) -> None:
+        """Add a skin through level rings, open at both ends."""
+        self.add(_skin(np.array(_level_rings(sections, segments))), finish)
 
     def prism(self, outline: Sequence[tuple[float, float]], low: float, high: float, finish: Finish) -> None:
         """Add an upright prism over a simple polygon (x, y), counter-clockwise, between two heights."""
@@ -156,6 +153,18 @@ class Drawing:
     def materials(self) -> list[OutputMaterial]:
         """Return the finishes as the file's materials."""
         return [OutputMaterial(f.color, f.jpeg) for f in self.finishes]
+
+
+def _level_rings(sections: Sequence[Section], segments: int) -> list[NDArray[np.float64]]:
+    angles = 2 * math.pi * (np.arange(segments) + 0.5) / segments
+    cosines, sines = np.cos(angles), np.sin(angles)
+    rings = []
+    for z, half_x, half_y, power, x, y in sections:
+        ring = np.full((segments, 3), float(z))
+        ring[:, 0] = x + half_x * np.sign(cosines) * np.abs(cosines) ** power
+        ring[:, 1] = y + half_y * np.sign(sines) * np.abs(sines) ** power
+        rings.append(ring)
+    return rings
 
 
 def _skin(grid: NDArray[np.float64]) -> NDArray[np.float64]:

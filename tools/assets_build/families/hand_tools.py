@@ -128,7 +128,7 @@ def drill(d: Drawing, v: Variation) -> None:
     d.block((0.06 * length, 0, z - r - 0.012), (0.012, 0.014, 0.03), dark)
     battery = v.pick((0.045, 0.055), (0.03, 0.07))
     d.loft(
-        [(0, 0.045, 0.03, 0.3, -0.08 * length - lean, 0), (battery, 0.045, 0.03, 0.3, -0.08 * length - lean, 0)],
+        [(0, 0.06, 0.034, 0.3, -0.02 * length - lean, 0), (battery, 0.06, 0.034, 0.3, -0.02 * length - lean, 0)],
         dark if v.pick((True, False), (True,)) else p.paint(v),
         12,
     )

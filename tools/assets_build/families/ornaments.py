@@ -175,11 +175,9 @@ def potted_plant(d: Drawing, v: Variation) -> None:
             d.tube([(0, 0, 0.85 * top), (0.9 * r * out * c, 0.9 * r * out * s, z - 0.01)], 0.002, leaf, 3)
         elif kind == "fans":
             part = Drawing()
-            part.soft_block((0, 0, 0.32 * (h - top)), (0.05, 0.006, 0.55 * (h - top)), 1.0, leaf, 6)
+            part.soft_block((0, 0, 0.45 * (h - top)), (0.036, 0.006, 0.9 * (h - top)), 1.0, leaf, 6)
             d.tube([(0, 0, 0.85 * top), (0.3 * r * c, 0.3 * r * s, top + 0.2 * (h - top))], 0.003, leaf, 4)
-            d.place(
-                part, (0.3 * r * c, 0.3 * r * s, top + 0.1 * (h - top)), (18 + 8 * (k % 3), 0, math.degrees(a) - 90)
-            )
+            d.place(part, (0.15 * r * c, 0.15 * r * s, top), (12 + 16 * (k % 3), 0, math.degrees(a) + 90))
         else:
             d.tube(
                 [

@@ -155,22 +155,25 @@ def bathtub(d: Drawing, v: Variation) -> None:
     w, length, h = v.between(0.7, 0.84), v.between(1.5, 1.8), v.between(0.5, 0.6)
     outside, white = v.pick((f.WHITE, p.paint(v, p.CERAMIC)), (p.paint(v), p.wood(v))), p.paint(v, p.CERAMIC)
     power, wall = v.pick((0.12, 0.5), (0.3, 0.9)), 0.06
-    low, floor = 0.0, 0.14
+    floor = 0.14
     taper = v.pick((1.0, 0.85), (0.92, 0.78))
-    d.loft(
+    d.shell(
         [
-            (low, 0.5 * taper * w, 0.5 * taper * length, power, 0, 0),
+            (0, 0, 0, power, 0, 0),
+            (0, 0.5 * taper * w, 0.5 * taper * length, power, 0, 0),
             (h - 0.03, 0.5 * w - 0.02, 0.5 * length - 0.02, power, 0, 0),
         ],
         outside,
         28,
     )
-    d.loft(
+    d.shell(
         [
+            (h - 0.03, 0.5 * w - 0.02, 0.5 * length - 0.02, power, 0, 0),
             (h - 0.03, 0.5 * w, 0.5 * length, power, 0, 0),
             (h, 0.5 * w, 0.5 * length, power, 0, 0),
             (h, 0.5 * w - wall, 0.5 * length - wall, power, 0, 0),
             (floor, 0.42 * taper * w - wall + 0.02, 0.45 * length - wall, power, 0, 0),
+            (floor, 0, 0, power, 0, 0),
         ],
         white,
         28,

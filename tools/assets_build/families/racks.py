@@ -72,7 +72,7 @@ def shoe_rack(d: Drawing, v: Variation) -> None:
         for k in range(count):
             y = -dep / 2 + 0.025 + (dep - 0.05) * k / (count - 1)
             if kind in ("rods", "arched"):
-                d.tube([(-w / 2 + 0.005, y, z - 0.008), (w / 2 - 0.005, y, z - 0.008)], 0.008, metal, 6)
+                d.tube([(-w / 2 + 0.005, y, z - 0.012), (w / 2 - 0.005, y, z - 0.012)], 0.012, metal, 6)
             else:
                 d.box((-w / 2 + 0.02, y - 0.022, z - 0.014), (w / 2 - 0.02, y + 0.022, z), body)
     if kind in ("bench", "boards"):
