@@ -19,6 +19,8 @@ from assets_build.variation import Pool, Variation
 
 WIDEST_GRASP = 0.139
 """An object's least side (m) is no more than what the gripper spans."""
+FLAT = 1e-3
+"""A part of less volume than this share of what its area could hold is a flat skin."""
 SPREAD = 0.3
 """Objects' sizes differ by so much (share) about the usual one."""
 
@@ -76,19 +78,33 @@ def sized(corners: NDArray[np.float64], planned: Generated, v: Variation) -> NDA
 
 
 def outward(corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the corners with every connected part's triangles turned to wind around its outside."""
+    """Return the corners with every connected part's triangles turned to wind around its outside.
+
+    A part that is flat, as the skin of a tabletop, turns its face away from the middle of the whole.
+    """
+    parts = _connected_parts(corners)
+    sizes = np.bincount(parts)
+    middles = np.column_stack([np.bincount(parts, corners.mean(axis=1)[:, k]) / sizes for k in range(3)])
+    a, b, c = np.moveaxis(corners - middles[parts][:, None], 1, 0)
+    faces = np.cross(b - a, c - a)
+    volumes = np.bincount(parts, np.einsum("ij,ij->i", a, np.cross(b, c)))
+    areas = np.bincount(parts, np.linalg.norm(faces, axis=1))
     flat = corners.reshape(-1, 3)
-    _, vertices = np.unique(np.round(flat / 1e-5).astype(np.int64), axis=0, return_inverse=True)
-    triangles = vertices.reshape(-1, 3)
+    whole = (flat.min(axis=0) + flat.max(axis=0)) / 2
+    away = np.bincount(parts, np.einsum("ij,ij->i", faces, middles[parts] - whole))
+    outwards = np.where(np.abs(volumes) > FLAT * areas**1.5, volumes, away)
+    return np.where((outwards[parts] < 0)[:, None, None], corners[:, ::-1], corners)
+
+
+def _connected_parts(corners: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Return for each triangle which connected part of the surface it belongs to."""
+    spots = np.round(corners.reshape(-1, 3) / 1e-5).astype(np.int64)
+    triangles = np.unique(spots, axis=0, return_inverse=True)[1].reshape(-1, 3)
     count = int(triangles.max()) + 1
     edges = np.concatenate([triangles[:, :2], triangles[:, 1:]])
     links = coo_matrix((np.ones(len(edges), np.int8), edges.T), (count, count))
-    parts = connected_components(links, directed=False)[1][triangles[:, 0]]
-    sizes = np.maximum(np.bincount(parts), 1)
-    middles = np.column_stack([np.bincount(parts, corners.mean(axis=1)[:, k]) / sizes for k in range(3)])
-    a, b, c = np.moveaxis(corners - middles[parts][:, None], 1, 0)
-    volumes = np.bincount(parts, np.einsum("ij,ij->i", a, np.cross(b, c)))
-    return np.where((volumes[parts] < 0)[:, None, None], corners[:, ::-1], corners)
+    labels = connected_components(links, directed=False)[1][triangles[:, 0]]
+    return np.unique(labels, return_inverse=True)[1].reshape(-1)
 
 
 def slot_finishes(names: list[str], v: Variation) -> list[Finish]:

@@ -20,7 +20,7 @@ CATALOGUE = load_catalogue()
 MODELS = tuple(CATALOGUE.models.values())
 RECEPTACLES = tuple(m for m in MODELS if m.role == "receptacle")
 OBJECTS = tuple(m for m in MODELS if m.role == "object")
-LICENCES = {"CC0-1.0", "CC-BY-3.0", "CC-BY-3.0-US", "BSD-3-Clause-Clear"}
+LICENCES = {"CC0-1.0", "CC-BY-3.0", "CC-BY-3.0-US", "BSD-3-Clause", "BSD-3-Clause-Clear", "MIT"}
 MEGABYTE = 1024 * 1024
 
 

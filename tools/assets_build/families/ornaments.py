@@ -177,7 +177,7 @@ def potted_plant(d: Drawing, v: Variation) -> None:
             part = Drawing()
             part.soft_block((0, 0, 0.45 * (h - top)), (0.036, 0.006, 0.9 * (h - top)), 1.0, leaf, 6)
             d.tube([(0, 0, 0.85 * top), (0.3 * r * c, 0.3 * r * s, top + 0.2 * (h - top))], 0.003, leaf, 4)
-            d.place(part, (0.15 * r * c, 0.15 * r * s, top), (12 + 16 * (k % 3), 0, math.degrees(a) + 90))
+            d.place(part, (0.15 * r * c, 0.15 * r * s, top), (8 + 9 * (k % 3), 0, math.degrees(a) + 90))
         else:
             d.tube(
                 [
