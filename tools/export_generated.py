@@ -8,7 +8,8 @@ Infinigen (BSD-3-Clause) runs in Blender's Python module, so that it has an envi
         matplotlib pillow imageio scikit-image scikit-learn psutil pyyaml rtree OpenEXR coacd frozendict attrs submitit
     nice -n 15 python tools/export_generated.py --out /tmp/generated
 
-What is there already is not generated again, and a seed at which a factory fails is noted and not tried again.
+What is there already is not generated again, and a seed at which a factory fails is noted and not tried again. A seed
+gives the same shape every time, its triangles perhaps in another order.
 """
 
 import argparse
@@ -23,7 +24,6 @@ from assets_build.generated_plan import PLAN, Generated
 from infinigen.core.util.math import FixedSeed  # type: ignore[import-not-found]
 
 MOST_FACES = 24_000
-NODES_OF_COLOR = ("BSDF_PRINCIPLED", "VALTORGB", "RGB", "MIX", "BSDF_DIFFUSE", "BSDF_GLASS", "BSDF_GLOSSY")
 
 
 def main() -> None:
@@ -46,21 +46,20 @@ def main() -> None:
 
 
 def export(planned: Generated, seed: int, path: Path) -> None:
-    """Write one instance: corners (T, 3, 3), materials (T,), and of each material its shader's name and colour."""
+    """Write one instance: corners (T, 3, 3), materials (T,), and of each material its shader's name."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     module = importlib.import_module(f"infinigen.assets.objects.{planned.module}")
     with FixedSeed(seed):
         factory = getattr(module, planned.factory)(seed)
         made = factory.spawn_asset(seed)
         factory.finalize_assets([made])
-    corners, owners, names, colors = [], [], [], []
+    corners, owners, names = [], [], []
     for thing in (made, *made.children_recursive):
         part, slots = triangles(thing)
         corners.append(part)
         owners.append(slots + len(names))
         materials = list(thing.data.materials) if thing.type == "MESH" else []
         names += [material.name if material else "" for material in materials] or [""]
-        colors += [base_color(material) for material in materials] or [(0.7, 0.7, 0.7)]
     unfinished = path.with_suffix(".part")
     with unfinished.open("wb") as file:
         np.savez_compressed(
@@ -68,7 +67,6 @@ def export(planned: Generated, seed: int, path: Path) -> None:
             corners=np.concatenate(corners).astype(np.float32),
             materials=np.concatenate(owners).astype(np.int32),
             names=np.array(names),
-            colors=np.array(colors, np.float32),
         )
     unfinished.rename(path)
 
@@ -90,28 +88,6 @@ def triangles(thing: Any) -> tuple[np.ndarray, np.ndarray]:
     slots = np.zeros(len(mesh.loop_triangles), np.int32)
     mesh.loop_triangles.foreach_get("material_index", slots)
     return points[:, :3][indices.reshape(-1, 3)], np.minimum(slots, max(0, len(mesh.materials) - 1))
-
-
-def base_color(material: Any) -> tuple[float, float, float]:
-    """Return the mean of the linear colours that a shader mixes, sRGB; grey where it names none."""
-    found: list[tuple[float, ...]] = []
-    if material is not None and material.use_nodes:
-        for node in material.node_tree.nodes:
-            if node.type == "VALTORGB":
-                found += [tuple(element.color)[:3] for element in node.color_ramp.elements]
-            elif node.type == "RGB":
-                found.append(tuple(node.outputs[0].default_value)[:3])
-            elif node.type in NODES_OF_COLOR:
-                inputs = [i for i in node.inputs if i.type == "RGBA" and not i.is_linked and i.name in COLOR_INPUTS]
-                found += [tuple(i.default_value)[:3] for i in inputs]
-    if not found:
-        return (0.7, 0.7, 0.7)
-    linear = np.clip(np.mean(np.array(found), axis=0), 0.0, 1.0)
-    r, g, b = np.where(linear < 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-    return (float(r), float(g), float(b))
-
-
-COLOR_INPUTS = ("Base Color", "Color", "A", "B", "Color1", "Color2")
 
 
 if __name__ == "__main__":

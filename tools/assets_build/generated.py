@@ -109,12 +109,9 @@ def _connected_parts(corners: NDArray[np.float64]) -> NDArray[np.int64]:
 
 def slot_finishes(names: list[str], v: Variation) -> list[Finish]:
     """Return a finish for each material slot by the name of its shader, equal ones for equal names."""
-    known: dict[str, Finish] = {}
-    for name in names:
-        kind = name.split(".")[0].removeprefix("shader_").removesuffix("_z")
-        if kind not in known:
-            known[kind] = finish_of(kind, v)
-    return [known[name.split(".")[0].removeprefix("shader_").removesuffix("_z")] for name in names]
+    kinds = [name.split(".")[0].removeprefix("shader_").removesuffix("_z") for name in names]
+    known = {kind: finish_of(kind, v) for kind in dict.fromkeys(kinds)}
+    return [known[kind] for kind in kinds]
 
 
 def finish_of(kind: str, v: Variation) -> Finish:
