@@ -15,7 +15,7 @@ from uniteam.world.task.environment import Environment
 EPISODES = {"Move cup from table to bed": BESIDE_THE_DOOR, "Move ball from bed to table": IN_THE_CORNER}
 
 
-@pytest.fixture(scope="module", params=EPISODES.items(), ids=EPISODES.keys())
+@pytest.fixture(scope="module", params=tuple(EPISODES.items()), ids=tuple(EPISODES))
 def environment(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Environment:
     """Return the environment of a certified episode."""
     instruction, table_at = request.param
