@@ -84,9 +84,9 @@ def test_what_lies_on_the_floor_lies_still_and_is_held_by_nothing() -> None:
 
 
 def test_what_lies_on_the_floor_lies_in_its_room() -> None:
-    for home in homes():
+    for home in filled(homes()):
         rooms = {room.name: room for room in home.stage.rooms}
-        for thing in (home.by_name[name] for name in on_floor(home)):
+        for thing in filled(home.by_name[name] for name in on_floor(home)):
             assert rooms[thing.room].contains(*thing.position[:2])
 
 
