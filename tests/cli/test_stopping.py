@@ -22,7 +22,7 @@ def start(folder: Path, *arguments: str) -> subprocess.Popen[str]:
 
 
 def wait_until_larger(path: Path, size: int) -> None:
-    for _ in range(1200):
+    for _ in range(6000):  # five minutes: the first command on a machine compiles the kernels
         if path.exists() and path.stat().st_size > size:
             return
         time.sleep(0.05)
