@@ -1,7 +1,7 @@
 """How the leaves of a home's doors stand: all folded back, or as people leave them."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 from numpy.random import Generator
@@ -39,10 +39,7 @@ def fold_back(
     """Return every leaf folded back out of the way; a door whose leaf would be in the way has none."""
     leaves: list[list[Piece]] = [[] for _ in plan]
     for wall, opening, model in _doors(walls, models, rng):
-        ways = open_leaves(plan, wall, opening, model, rng)
-        found = next(((room, leaf) for room, leaf in ways if _has_space(floors[room], leaf)), None)
-        if found is not None:
-            _hang(found, floors, leaves)
+        _hang_first_fitting(open_leaves(plan, wall, opening, model, rng), floors, leaves)
     return leaves
 
 
@@ -68,9 +65,7 @@ def leave_as_used(
             if _stands_clear(leaf, floors[room], leaves[room]):
                 _hang((room, leaf), floors, leaves)
                 continue
-        found = next(((room, leaf) for room, leaf in folded if _has_space(floors[room], leaf)), None)
-        if found is not None:
-            _hang(found, floors, leaves)
+        _hang_first_fitting(folded, floors, leaves)
     return leaves
 
 
@@ -84,6 +79,13 @@ def _doors(
             fitting = fitting_leaves(models, opening) if opening.kind == "door" else []
             if fitting:
                 yield wall, opening, fitting[int(style[len(fitting)]) % len(fitting)]
+
+
+def _hang_first_fitting(ways: Iterable[_Way], floors: Sequence[RoomFloor], leaves: list[list[Piece]]) -> None:
+    """Hang a door's leaf in the first way in which it is in nobody's way, if there is one."""
+    found = next(((room, leaf) for room, leaf in ways if _has_space(floors[room], leaf)), None)
+    if found is not None:
+        _hang(found, floors, leaves)
 
 
 def _hang(way: _Way, floors: Sequence[RoomFloor], leaves: list[list[Piece]]) -> None:
