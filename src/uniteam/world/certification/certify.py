@@ -1,12 +1,14 @@
 """Certifying an episode: finding a way to solve it, and playing that way in the simulator.
 
 Geometry proposes where to stand; the simulator is the judge. A task is certified when a candidate object can be
-grasped and, held, be released onto an instance of the goal class without a collision, and when the oracle, with these
-two stands in the certificate, reaches overall success from the episode's start.
+grasped and, held, be released onto an instance of the goal class without a collision that counts, and when the oracle,
+with these two stands in the certificate, reaches overall success from the episode's start. A way that touches nothing
+is taken before one that only brushes small objects.
 """
 
 from collections.abc import Iterator
 from dataclasses import replace
+from enum import IntEnum
 from itertools import islice, product, zip_longest
 
 import numpy as np
@@ -20,7 +22,7 @@ from uniteam.world.certification.rejection import Cause, Rejected
 from uniteam.world.certification.release_poses import release_ways
 from uniteam.world.certification.view_points import Viewpoints
 from uniteam.world.homes.home import Home
-from uniteam.world.oracle.base_stands import Grasp, Release, grasps
+from uniteam.world.oracle.base_stands import Grasp, Release, Way, grasps
 from uniteam.world.oracle.oracle import MOST_WAITING, Oracle
 from uniteam.world.oracle.pilot import Pilot
 from uniteam.world.simulation.simulator import Moment, Simulator
@@ -38,6 +40,14 @@ EPISODE_TRIES = 6
 GRASP_STAND_RANGE = 1.6
 RELEASE_STAND_RANGE = 0.8
 """How far from an instance a stand may be (m)."""
+
+
+class _Course(IntEnum):
+    """How it went; the larger, the better."""
+
+    FAILS = 0
+    BRUSHES = 1
+    IS_CLEAN = 2
 
 
 class Certifier:
@@ -111,14 +121,15 @@ class Certifier:
         x, y, z = instance.position
         middle = np.array([x, y, z + self.home.model_of(instance).size[2] / 2])
         ways = list(grasps(middle, self._views.standable(instance, GRASP_STAND_RANGE), HEAD_CAMERA_HALF))
-        found = next((way for way in ways[:GRASP_TRIES] if self._can_grasp(way, name)), None)
-        if found is not None:
-            return found
+        best = _best(((way, self._try_grasp(way, name)) for way in ways[:GRASP_TRIES]), 1)
+        if best:
+            return best[0]
         return Cause.GRASP_TOUCHES if ways else Cause.OBJECT_OUT_OF_REACH
 
-    def _can_grasp(self, grasp: Grasp, name: str) -> bool:
+    def _try_grasp(self, grasp: Grasp, name: str) -> _Course:
         self.simulator.reset(grasp.stand)
-        return self._goes_well(self._pilot.grasp(grasp.joints), name) and self.simulator.held == name
+        course = self._follow(self._pilot.grasp(grasp.joints), name)
+        return course if self.simulator.held == name else _Course.FAILS
 
     def _ways(self, name: str, grasp: Grasp, receptacle: str) -> tuple[Release, ...] | Cause:
         """Return ways in which a held object was put on a receptacle in the simulator, or why there is none."""
@@ -127,34 +138,39 @@ class Certifier:
             held, goal = self.home.by_name[name], self.home.by_name[receptacle]
             ways = list(release_ways(self.home, held, goal, self._views.standable(goal, RELEASE_STAND_RANGE)))
             holding = self._holding(name, grasp)
-            tried = (way for way in ways[:RELEASE_TRIES] if self._can_release(way, name, holding, receptacle))
-            found = tuple(islice(tried, WAYS_KEPT))
+            tried = ((way, self._try_release(way, name, holding, receptacle)) for way in ways[:RELEASE_TRIES])
             none = Cause.RELEASE_FAILS if ways else Cause.GOAL_OUT_OF_REACH
-            self._releases[key] = found or none
+            self._releases[key] = _best(tried, WAYS_KEPT) or none
         return self._releases[key]
 
     def _holding(self, name: str, grasp: Grasp) -> Moment:
         """Return the moment after an object was grasped."""
         if name not in self._moments:
-            self._can_grasp(grasp, name)
+            self._try_grasp(grasp, name)
             self._moments[name] = self.simulator.moment()
         return self._moments[name]
 
-    def _can_release(self, release: Release, name: str, holding: Moment, receptacle: str) -> bool:
-        """Say whether a release works for a robot that stands there with the object; the way there is tried later."""
+    def _try_release(self, release: Release, name: str, holding: Moment, receptacle: str) -> _Course:
+        """Say how a release goes for a robot that stands there with the object; the way there is tried later."""
         self.simulator.return_to(holding, release.stand)
-        plan = self._pilot.release(release.joints, release.rise)
-        return self._goes_well(plan, name) and self._comes_to_rest(name, receptacle)
+        course = self._follow(self._pilot.release(release.joints, release.rise), name)
+        return course if course and self._comes_to_rest(name, receptacle) else _Course.FAILS
 
-    def _goes_well(self, plan: Iterator[Action], name: str) -> bool:
-        """Do a plan as long as nothing is touched and nothing is in the way."""
+    def _follow(self, plan: Iterator[Action], name: str) -> _Course:
+        """Do a plan until something is in the way of the base or the robot touches what is no small object."""
         rule = take_candidate(self.home.by_name[name].category, {name})
-        events = (self.simulator.apply(action, rule) for action in plan)
-        return not any(event.hit is not None or event.blocked for event in events)
+        course = _Course.IS_CLEAN
+        for action in plan:
+            events = self.simulator.apply(action, rule)
+            if events.blocked or events.touches.robot_scene is not None:
+                return _Course.FAILS
+            if events.hit is not None:
+                course = _Course.BRUSHES
+        return course
 
     def _comes_to_rest(self, name: str, receptacle: str) -> bool:
         for _ in range(MOST_WAITING):
-            if not self._goes_well(iter([DiscreteAction.EMPTY_ACTION]), name):
+            if not self._follow(iter([DiscreteAction.EMPTY_ACTION]), name):
                 return False
             if rests_on(self.simulator, name, {receptacle}):
                 return True
@@ -176,6 +192,20 @@ class Certifier:
         if not self._environments:
             self._environments.append(Environment(self.home, episode))
         return self._environments[0]
+
+
+def _best(tried: Iterator[tuple[Way, _Course]], wanted: int) -> tuple[Way, ...]:
+    """Return so many ways that went well: the first clean ones, or the first ones where none is clean."""
+    brushing: list[Way] = []
+
+    def clean() -> Iterator[Way]:
+        for way, course in tried:
+            if course is _Course.IS_CLEAN:
+                yield way
+            elif course is _Course.BRUSHES:
+                brushing.append(way)
+
+    return tuple(islice(clean(), wanted)) or tuple(brushing[:wanted])
 
 
 def _certificate(name: str, grasp: Grasp, receptacle: str, release: Release) -> Certificate:

@@ -17,7 +17,7 @@ from uniteam.interface import Joints
 from uniteam.stretch import GRASP_RANGE, JOINT_LIMITS, MANIPULATION_POSTURE, gripper_to_base, head_camera_to_base
 
 GRASP_REACH = GRASP_RANGE - 0.05
-"""How far (m) the gripper may be from what it grasps, a little less than the simulator allows."""
+"""How far (m) the gripper may be from what it grasps in the horizontal plane, a little less than the rules allow."""
 BEST_GRASP_DISTANCE = 0.6
 """Of the base from the object (m): close, yet with the object well inside the image."""
 IMAGE_MARGIN = 0.06
@@ -98,7 +98,7 @@ def can_grasp(grasp: Grasp, position: np.ndarray, camera: PinholeCamera) -> bool
     """Return whether an object at `position` (3,) is near enough to the gripper and well inside the camera's view."""
     in_base = transform_points(invert_transform(manipulation_base(grasp.stand).matrix()), position)
     gripper = gripper_to_base(grasp.joints)[:3, 3]
-    if float(np.linalg.norm(in_base - gripper)) > GRASP_REACH:
+    if float(np.hypot(*(in_base - gripper)[:2])) > GRASP_REACH:
         return False
     in_camera = transform_points(invert_transform(head_camera_to_base(grasp.joints)), in_base)
     if in_camera[2] <= 0.0:
