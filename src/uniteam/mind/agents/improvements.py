@@ -17,6 +17,7 @@ from uniteam.mind.manipulation.leave_manipulation import fold_and_turn_back
 from uniteam.mind.manipulation.load_footprint import LoadFootprint
 from uniteam.mind.manipulation.pick.look_around_pick import LookAround
 from uniteam.mind.manipulation.pick.reach_out_pick import ReachOut
+from uniteam.mind.manipulation.pick.step_back_pick import StepBack
 from uniteam.mind.manipulation.pick.tilt_head import TiltHead
 from uniteam.mind.manipulation.pick.verify_pick import feel_the_gripper
 from uniteam.mind.manipulation.place.checked_arm_path import CheckedArmPath
@@ -24,6 +25,7 @@ from uniteam.mind.manipulation.place.drop_height import LOW_DROP, ClearSurface
 from uniteam.mind.manipulation.place.edge_margin import EDGE_SAMPLES, EdgeMargin
 from uniteam.mind.manipulation.place.flat_ground import FlatGround
 from uniteam.mind.manipulation.place.headroom import points_with_headroom
+from uniteam.mind.manipulation.place.more_attempts import ATTEMPTS, LAST_CALL, LEAST_WORTH
 from uniteam.mind.manipulation.place.motion import ExactMotion
 from uniteam.mind.manipulation.place.occupied_surface import RoomAmongOthers
 from uniteam.mind.manipulation.place.receptacle_mask import whole_mask
@@ -270,6 +272,11 @@ BEYOND: tuple[Improvement, ...] = (
         pick__tilt_head=TiltHead(),
     ),
     _replacing(
+        "step_back_pick",
+        "when the object is not in view at the pick, the robot draws back until it is",
+        pick__step_back=StepBack(look=TiltHead()),
+    ),
+    _replacing(
         "reach_out_pick",
         "an object in view beyond reach is driven to, and the arm lifted and extended to it",
         pick__reach_out=ReachOut(),
@@ -291,8 +298,10 @@ BEYOND: tuple[Improvement, ...] = (
     ),
     _replacing(
         "more_attempts",
-        "where nothing can be placed, the robot tries up to four places before it lets go",
-        place__attempts=4,
+        "where nothing can be placed well, the robot tries other places as long as there are steps before it lets go",
+        place__attempts=ATTEMPTS,
+        place__last_call=LAST_CALL,
+        place__least_worth=LEAST_WORTH,
     ),
     _replacing(
         "level_wrist",

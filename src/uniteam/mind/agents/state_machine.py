@@ -143,7 +143,8 @@ def _place(board: Blackboard, view: View, load: Load) -> Skill[Phase]:
     """Place; where nothing could be placed and there are attempts left, go elsewhere."""
     attempt = Miss(view.observation.base_to_start, faced_point(view, ClassRole.GOAL_RECEPTACLE))
     config = board.config.place
-    is_last = board.place_misses.count + 1 >= config.attempts + board.falls
+    are_used_up = board.place_misses.count + 1 >= config.attempts + board.falls
+    is_last = are_used_up or view.observation.step >= config.last_call
     result = yield from place(view, config.context(load, board.generator), config, is_last)
     if result.released and (result.lying is None or board.falls == MOST_FALLS):
         return Phase(State.DONE, partial(_stop, reason="The object is where it should be, I believe, so I stop."))

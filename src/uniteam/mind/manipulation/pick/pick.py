@@ -20,12 +20,19 @@ GraspCheck = Callable[[View], bool]
 """Whether the view after the snap says that it was a success."""
 
 
+def do_nothing(view: View) -> Skill[View]:
+    """Leave everything as it is."""
+    yield from ()
+    return view
+
+
 @dataclass(frozen=True)
 class PickConfig:
     """The strategies of picking; `BASELINE_PICK` holds those of HomeRobot's heuristic baseline (arXiv 2306.11565).
 
     Attributes:
         tilt_head: how the head looks for the object.
+        step_back: how the base then draws back for it.
         look_around: how the base then looks for it.
         reach_out: how the gripper is then brought within reach of it.
         is_grasped: how the snap is judged.
@@ -37,6 +44,7 @@ class PickConfig:
     reach_out: Prepare
     is_grasped: GraspCheck
     leave: Callable[[View, str], Skill[View]] = fold
+    step_back: Prepare = do_nothing
 
 
 @dataclass(frozen=True)
@@ -57,7 +65,7 @@ def pick(view: View, config: PickConfig) -> Skill[PickResult]:
     name = view.instruction.object_category.replace("_", " ")
     seen_before = load_seen(view)
     view = yield discrete(DiscreteAction.MANIPULATION_MODE, f"I stand at the {name} and point the arm at it.")
-    for prepare in (config.tilt_head, config.look_around, config.reach_out):
+    for prepare in (config.tilt_head, config.step_back, config.look_around, config.reach_out):
         view = yield from prepare(view)
     load = seen_before.enclosing(load_seen(view))
     view = yield discrete(DiscreteAction.SNAP_OBJECT, f"I snap at the {name}.")
@@ -66,12 +74,6 @@ def pick(view: View, config: PickConfig) -> Skill[PickResult]:
     outcome = f"The {name} is in the gripper, I believe" if grasped else f"The gripper is empty, so I missed the {name}"
     yield from config.leave(view, f"{outcome}; back to driving.")
     return PickResult(grasped, load)
-
-
-def do_nothing(view: View) -> Skill[View]:
-    """Leave everything as it is."""
-    yield from ()
-    return view
 
 
 def trust_the_snap(view: View) -> bool:

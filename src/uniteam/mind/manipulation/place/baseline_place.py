@@ -61,7 +61,7 @@ def straight_path(stand: Stand, context: PlaceContext) -> Aim | None:
     return None
 
 
-def extend_blindly(view: View, context: PlaceContext) -> Skill[Aim]:
+def extend_blindly(view: View, stand: Stand | None, context: PlaceContext) -> Skill[Aim]:
     """Extend the whole arm at a fixed height, whatever is there: HomeRobot's fallback."""
     view = yield from enter_manipulation_mode(view, "I see no receptacle, so I extend the arm blindly.")
     raised = replace(view.observation.joints, lift=JOINT_LIMITS[1].lift, arm=0.0)

@@ -10,6 +10,8 @@ RISE = 0.02
 """m; height of the voxels of a column."""
 _HEADROOM = range(2, 8)
 """Voxels above a point that must be empty: on a wall, a front or a cushion's flank they are not."""
+_FRONT = range(2, 4)
+"""Voxels below a point that are not all filled: at the rim of a picture, nothing is seen above a point on a front."""
 _LEVELS = 1 << 9
 """A key holds column x, column y and level: 9 bits of level are 10 m, of which a quarter lies below the floor."""
 _COLUMNS = 1 << 20
@@ -17,7 +19,7 @@ _COLUMNS = 1 << 20
 
 
 def points_with_headroom(points: Points) -> Points:
-    """Return one of (N, 3) points (m, z up) in each voxel above which they leave room."""
+    """Return one of (N, 3) points (m, z up) in each voxel above which they leave room, and that is on no front."""
     column = np.floor(points[:, :2] / CELL).astype(np.int64)
     level = np.floor(points[:, 2] / RISE).astype(np.int64) + _LEVELS // 4
     keys = (column[:, 0] % _COLUMNS * _COLUMNS + column[:, 1] % _COLUMNS) * _LEVELS + level
@@ -25,4 +27,7 @@ def points_with_headroom(points: Points) -> Points:
     has_headroom = np.ones(len(voxels), dtype=bool)
     for above in _HEADROOM:
         has_headroom &= ~np.isin(voxels + above, voxels, assume_unique=True)
-    return points[first[has_headroom]]
+    is_front = np.ones(len(voxels), dtype=bool)
+    for below in _FRONT:
+        is_front &= np.isin(voxels - below, voxels, assume_unique=True)
+    return points[first[has_headroom & ~is_front]]

@@ -1,7 +1,8 @@
 """Placing: close in on the goal receptacle, bring the gripper over it, let go, and wait for the fall."""
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -36,6 +37,12 @@ class Stand:
     candidates: PlacingPoints
     surroundings: Points
     line_up: Callable[[float], float | None]
+
+    def but_poor_points(self, least_worth: float) -> "Stand":
+        """Return the stand without the candidates of less worth (m)."""
+        points, worth = self.candidates.points, self.candidates.worth
+        is_good = worth >= least_worth
+        return replace(self, candidates=PlacingPoints(points[is_good], worth[is_good]))
 
 
 @dataclass(frozen=True)
@@ -74,8 +81,8 @@ CloseIn = Callable[[View, PlaceContext], Skill[Stand | None]]
 """From where navigation ended to a stand; None where no receptacle is seen."""
 FindPath = Callable[[Stand, PlaceContext], Aim | None]
 """From a stand to an aim at one of its candidates; None where the arm reaches none."""
-Fallback = Callable[[View, PlaceContext], Skill[Aim]]
-"""What to do without an aim."""
+Fallback = Callable[[View, Stand | None, PlaceContext], Skill[Aim]]
+"""What to do without an aim, from the last view and the stand if there is one."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +98,9 @@ class PlaceConfig:
         release: how high and with which wrist the gripper lets go.
         fall_back: what to do where no receptacle is seen or reached.
         attempts: at how many places to try for an aim; at the last one the object is let go without one. The baseline
-            has one, `more_attempts` several.
+            has one, `more_attempts` as many as the steps allow.
+        last_call: from this step on the next place is the last one.
+        least_worth: while there are attempts left, points of less worth (m) are not aimed at.
         leave: how the robot gets back to driving.
         withdraw: what the arm does once it has let go.
         wait: how to wait for the object to come to rest.
@@ -108,6 +117,8 @@ class PlaceConfig:
     leave: Callable[[View, str], Skill[View]] = fold
     withdraw: Callable[[View], Skill[View]] = lift_and_retract
     attempts: int = 1
+    last_call: float = math.inf
+    least_worth: float = -math.inf
     wait: Wait = field(default_factory=WaitSteps)
     verify: Verify = take_it_for_placed
 
@@ -144,14 +155,15 @@ def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool)
         What became of it; in navigation mode where there is something left to do.
     """
     stand = yield from config.close_in(view, context)
-    aim = None if stand is None else context.find_path(stand, context)
+    offered = stand if stand is None or is_last else stand.but_poor_points(config.least_worth)
+    aim = None if offered is None else context.find_path(offered, context)
     if aim is None and not is_last:
         yield from config.leave(
             view if stand is None else stand.view, "The arm cannot place it from here; I try elsewhere."
         )
         return PlaceResult(released=False)
     if aim is None:
-        aim = yield from config.fall_back(view if stand is None else stand.view, context)
+        aim = yield from config.fall_back(view if stand is None else stand.view, stand, context)
     view = aim.view
     if aim.turn != 0.0:
         view = yield turn(aim.turn, "I turn so that the arm's line meets the placing point.")

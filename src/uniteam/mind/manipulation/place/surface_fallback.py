@@ -25,22 +25,26 @@ class OntoFlatSurface:
     lowest: float = 0.2
     otherwise: Fallback = extend_blindly
 
-    def __call__(self, view: View, context: PlaceContext) -> Skill[Aim]:
-        """Answer with an aim at a flat surface in reach; as otherwise where there is none."""
+    def __call__(self, view: View, stand: Stand | None, context: PlaceContext) -> Skill[Aim]:
+        """Answer with an aim at a flat surface in reach; as otherwise where there is none.
+
+        What was seen before from the same stand is kept in mind: it is from there that the last view is.
+        """
         nearby = LocalCloud()
         view = yield from enter_manipulation_mode(view, "I see no receptacle, so I look for a flat surface beside me.")
         nearby.add(view, context.receptacle(view))
         around = nearby.surroundings(view.observation.base_to_start)
+        known = around if stand is None else np.concatenate([around, stand.surroundings])
         flat = points_with_headroom(around[around[:, 2] > self.lowest])
         if len(flat) == 0:
-            return (yield from self.otherwise(view, context))
+            return (yield from self.otherwise(view, stand, context))
         chosen = context.choose_points(flat, np.zeros((0, 3), np.float32), context.load, context.generator)
         in_reach = np.array([self._is_in_reach(context, x, y) for x, y, _ in chosen.points], dtype=np.bool_)
         candidates = context.motion.in_line(
             PlacingPoints(chosen.points[in_reach], chosen.worth[in_reach]), context.release.reach
         )
-        aim = context.find_path(Stand(view, candidates, around, context.motion.line_up), context)
-        return (yield from self.otherwise(view, context)) if aim is None else aim
+        aim = context.find_path(Stand(view, candidates, known, context.motion.line_up), context)
+        return (yield from self.otherwise(view, stand, context)) if aim is None else aim
 
     def _is_in_reach(self, context: PlaceContext, x: float, y: float) -> bool:
         reach = context.release.reach

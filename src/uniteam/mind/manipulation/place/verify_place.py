@@ -22,13 +22,13 @@ class WatchRest:
     """Waits until the object has not moved for long enough, as far as the robot sees; the longest where it does not.
 
     Attributes:
-        still_steps: for so many steps it must not have moved.
+        still_steps: for so many steps it must not have moved; what rocks on another thing looks still before it is.
         still: it moves where its middle does by more (m).
         longest: after so many steps the robot waits no longer.
     """
 
-    still_steps: int = REST_STEPS + 10
-    still: float = 0.01
+    still_steps: int = REST_STEPS + 40
+    still: float = 0.005
     longest: int = 200
 
     def __call__(self, view: View) -> Skill[View]:
