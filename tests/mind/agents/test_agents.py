@@ -31,6 +31,7 @@ from uniteam.mind.agents.heuristic_agent import HeuristicAgent
 from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, Improvement, ImprovementError, improved
 from uniteam.mind.agents.registry import agent_config, describe_agent, make_agent
 from uniteam.mind.manipulation.place.after_release import WaitSteps
+from uniteam.mind.manipulation.place.more_attempts import ATTEMPTS
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.perception.registry import needs_truth
@@ -274,7 +275,7 @@ def test_an_improvement_of_ones_own_is_applied_after_the_built_in_ones() -> None
         return replace(config, first_turns=config.place.attempts)
 
     patient = Improvement("patient", "waits longer", wait)
-    assert improved(BASELINE, [patient, "more_attempts"]).first_turns == 4
+    assert improved(BASELINE, [patient, "more_attempts"]).first_turns == ATTEMPTS
 
 
 def test_an_improvement_that_makes_no_configuration_is_refused() -> None:

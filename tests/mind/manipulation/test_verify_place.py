@@ -57,4 +57,4 @@ def test_verify_place_waits_only_until_what_it_sees_has_been_still_for_long_enou
     _, unseen = play(standing_beside(), INSTRUCTION, placing("verify_place").wait)
     _, waited = play(standing_beside(ON_TABLE), INSTRUCTION, placing().wait)
     assert set(watched) == {DiscreteAction.EMPTY_ACTION}
-    assert (len(watched), len(unseen), len(waited)) == (60, 200, 200)
+    assert (len(watched), len(unseen), len(waited)) == (90, 200, 200)

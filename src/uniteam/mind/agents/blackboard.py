@@ -10,6 +10,7 @@ from uniteam.mind.agents.config import AgentConfig
 from uniteam.mind.manipulation.place.after_release import Lying
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
+from uniteam.mind.navigation.goals.exploration import SearchConfig
 from uniteam.mind.navigation.goals.failed_attempts import Misses
 from uniteam.mind.navigation.goals.failed_goals import FailedGoals
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
@@ -29,6 +30,7 @@ class Blackboard:
         planner: how to drive there.
         commitment: whether to keep heading there.
         roles: which role a detection plays.
+        search: what to head for.
         failed_goals: places that could not be reached.
         object_misses, place_misses: where a pick or a place is known to have failed.
         heading_for: (x, y) where the last plan led (m, start frame).
@@ -47,6 +49,7 @@ class Blackboard:
     planner: Planner
     commitment: Commitment
     roles: RoleScores
+    search: SearchConfig
     failed_goals: FailedGoals
     object_misses: Misses = field(default_factory=Misses)
     place_misses: Misses = field(default_factory=Misses)
@@ -70,5 +73,6 @@ class Blackboard:
             config.make_planner(config.planner),
             Commitment(config.is_stuck, config.search.frontier),
             role_scores(instruction),
+            config.search,
             config.failed_goals(),
         )

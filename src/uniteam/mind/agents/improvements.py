@@ -11,7 +11,7 @@ from typing import Any
 
 from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.mind.agents.config import BASELINE, AgentConfig
-from uniteam.mind.agents.last_round import LastRound
+from uniteam.mind.agents.last_round import CLOSE, CLOSE_LOOK, LastRound
 from uniteam.mind.manipulation.arm_reach import LEVEL_WRIST
 from uniteam.mind.manipulation.leave_manipulation import fold_and_turn_back
 from uniteam.mind.manipulation.load_footprint import LoadFootprint
@@ -422,8 +422,10 @@ BEYOND: tuple[Improvement, ...] = (
     ),
     _replacing(
         "last_round",
-        "steps that are left are used: what failed is tried again, and what was looked at is looked at again",
+        "steps that are left are used: what failed is tried again, and what was looked at is looked at closer",
         relax=LastRound(),
+        search__start_receptacle_again=SurroundStartReceptacle(farthest=CLOSE),
+        map__closer_looks=ResolvedLook(farthest=CLOSE_LOOK),
         planner__no_path=keep_collisions,
     ),
     _replacing("low_drop", "a small object is released close above the surface", place__release__least_height=LOW_DROP),

@@ -3,6 +3,11 @@
 from dataclasses import dataclass
 from enum import Enum, auto
 
+CLOSE = 0.5
+"""m; how far from a start receptacle the robot stands at most when it looks again."""
+CLOSE_LOOK = 0.75
+"""m; how far what is looked at again is off over the floor, at most."""
+
 
 class Relaxation(Enum):
     """Something that kept the robot from places, and is forgotten."""

@@ -157,7 +157,7 @@ def _plan(board: Blackboard, view: View, search: Search) -> tuple[Goal, Plan] | 
 
 def _choices(board: Blackboard, search: Search) -> tuple[ChooseGoal, ...]:
     """Return what to head for, in order of preference: first of all to where the object was seen to fall."""
-    choices = search.choices(board.config.search)
+    choices = search.choices(board.search)
     return choices if board.lying is None else (partial(_fallen_object, board.lying), *choices)
 
 
@@ -188,6 +188,7 @@ def _relax(board: Blackboard) -> bool:
         forget_all(board.bird_map)
     elif relaxation is Relaxation.LOOKS:
         board.bird_map.forget_looks()
+        board.search = board.config.search.for_another_look()
     return relaxation is not None
 
 

@@ -66,6 +66,7 @@ class BirdsEyeMap:
         self._last_base: BasePose | None = None
         self._known: tuple[Cell, Cell] = (shape, (0, 0))
         self._clear = self.config.clear()
+        self._looks = self.config.looks
         self.fine = self.config.fine_obstacles()
         self.update_count = 0
 
@@ -158,9 +159,10 @@ class BirdsEyeMap:
         self.obstacle |= felt
 
     def forget_looks(self) -> None:
-        """Forget where the robot has been close to things and looked at them, so that it does so again."""
+        """Forget where the robot has been close to things and looked at them, so that it does so again, and closer."""
         self.been_close[:] = False
         self.looked_from[:] = 0
+        self._looks = self.config.closer_looks
 
     def forget_probability(self, role: ClassRole) -> None:
         """Forget how probable the class is wherever it was seen; that it was seen stays known."""
@@ -231,7 +233,7 @@ class BirdsEyeMap:
         near = slice(max(0, row - reach), row + reach + 1), slice(max(0, column - reach), column + reach + 1)
         corner = np.array([near[0].start, near[1].start])
         cells = corner + np.argwhere(self._class_cells[ClassRole.START_RECEPTACLE][near])
-        self.looked_from[cells[:, 0], cells[:, 1]] |= self.config.looks(self.to_points(cells), gaze, pixels)
+        self.looked_from[cells[:, 0], cells[:, 1]] |= self._looks(self.to_points(cells), gaze, pixels)
 
     def _cover(self, base: BasePose) -> None:
         """Grow until everything in reach of the robot lies on the map."""

@@ -43,6 +43,7 @@ class MapConfig:
         clear: what takes cells back.
         fine_obstacles: what is known of obstacles at a finer grain.
         looks: from which sides the start receptacles have been looked at.
+        closer_looks: the same, once all looks were forgotten because they showed nothing.
     """
 
     project: Callable[[MappedFrame, Limits, Scratch, Channels], tuple[int, int, int, int]] = averaged_blocks
@@ -63,6 +64,7 @@ class MapConfig:
     probability_decay: float = 0.05
     class_depths: tuple[float, float, float] = (3.5, 3.5, 3.5)
     looks: LookBits = look_bits
+    closer_looks: LookBits = look_bits
     clear: Callable[[], Clear] = never_clear
     fine_obstacles: Callable[[], FineObstacles] = nothing_finer
 

@@ -5,7 +5,7 @@ each: the defaults are the baseline's, and improvements put their own in their p
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -197,6 +197,7 @@ class SearchConfig:
     Attributes:
         object: where the object is known.
         start_receptacle: where only start receptacles are known, while there is no object in the gripper.
+        start_receptacle_again: instead, once looks at them have shown nothing and were forgotten.
         goal_receptacle: where goal receptacles are known, with the object in the gripper.
         approach: at which side of the goal receptacle to stand.
         frontier: where nothing of all this is known.
@@ -208,6 +209,7 @@ class SearchConfig:
 
     object: ChooseGoal = object_on_start_receptacle
     start_receptacle: ChooseGoal = start_receptacle_not_been_close
+    start_receptacle_again: ChooseGoal = start_receptacle_not_been_close
     goal_receptacle: ChooseGoal = any_goal_receptacle
     approach: Approach = from_any_side
     frontier: ChooseGoal = near_unexplored
@@ -219,6 +221,10 @@ class SearchConfig:
     def for_object(self) -> tuple[ChooseGoal, ...]:
         """Return what to head for while there is no object in the gripper, in order of preference."""
         return self.object, self.start_receptacle, self.frontier
+
+    def for_another_look(self) -> "SearchConfig":
+        """Return what to head for once looks at the start receptacles have shown nothing."""
+        return replace(self, start_receptacle=self.start_receptacle_again)
 
     def for_receptacle(self) -> tuple[ChooseGoal, ...]:
         """Return what to head for with the object in the gripper, in order of preference.
