@@ -167,3 +167,20 @@ def test_reach_out_pick_drives_to_the_object_whether_or_not_folding_the_arm_turn
     for world in worlds:
         pick_in(world, REACHING)
         assert world.held is not None
+
+
+def test_step_back_pick_finds_an_object_that_the_board_above_hides_from_near() -> None:
+    rack = Box((0.45, -0.5, 0.0), (0.8, 0.5, 0.3), "table"), Box((0.40, -0.5, 0.62), (0.8, 0.5, 0.65), "table")
+    boxes = (*rack, Box((0.60, -0.04, 0.3), (0.68, 0.04, 0.36), "cup"))
+    worlds = [ArmWorld(boxes, BasePose(0.0, 0.0, 0.0)) for _ in range(2)]
+    pick_in(worlds[0], TILTING)
+    pick_in(worlds[1], improved(BASELINE, {"tilt_head", "step_back_pick"}).pick)
+    assert worlds[0].held is None
+    assert worlds[1].held is not None
+    assert -0.35 < worlds[1].base.x < -0.1
+
+
+def test_step_back_pick_stays_where_the_object_is_in_view() -> None:
+    world = ArmWorld((TABLE, cup_at(0.6, 0.0)), BasePose(0.0, 0.0, 0.0))
+    _, actions = play(world, INSTRUCTION, lambda view: pick(view, improved(BASELINE, {"step_back_pick"}).pick))
+    assert len(actions) == 3

@@ -11,15 +11,16 @@ from worlds.box_world import Box
 from worlds.filled import filled
 
 from uniteam.geometry import BasePose
-from uniteam.interface import BaseDisplacement, DiscreteAction, Instruction, JointDisplacement
+from uniteam.interface import BaseDisplacement, DiscreteAction, Instruction, JointDisplacement, Joints
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import improved
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.arm_reach import HANGING_WRIST, ArmReach
 from uniteam.mind.manipulation.place.after_release import WaitSteps
 from uniteam.mind.manipulation.place.baseline_place import BLIND_LIFT
-from uniteam.mind.manipulation.place.place import PlaceConfig, place
-from uniteam.mind.manipulation.place.placing_points import PointRule, slab_density
+from uniteam.mind.manipulation.place.checked_arm_path import RAISED_WRIST
+from uniteam.mind.manipulation.place.place import Aim, PlaceConfig, Stand, place
+from uniteam.mind.manipulation.place.placing_points import NOWHERE, PointRule, slab_density
 from uniteam.mind.skills.view import Points
 from uniteam.stretch import NAVIGATION_POSTURE
 
@@ -296,6 +297,55 @@ def test_more_attempts_keeps_hold_where_no_receptacle_is_seen_and_the_baseline_l
     assert worlds[0].released is not None
     assert worlds[1].held is CUP
     assert worlds[1].joints == NAVIGATION_POSTURE
+
+
+def test_more_attempts_lets_nothing_go_over_a_ledge_while_there_are_attempts_left() -> None:
+    ledge = Box((0.5, -0.5, 0.7), (0.53, 0.5, 0.75), "table")
+    settings = config(
+        "edge_margin", "checked_arm_path", "stepwise_place", "exact_motion", "more_attempts", "whole_mask"
+    )
+    for is_last in (False, True):
+        world = ArmWorld((ledge,), BasePose(0.0, 0.0, 0.0))
+        world.held = CUP
+        context = settings.context(CUP_LOAD, np.random.default_rng(5))
+        play(world, INSTRUCTION, partial(place, context=context, config=settings, is_last=is_last))
+        assert (world.released is not None) is is_last
+
+
+def test_checked_arm_path_raises_the_wrist_over_what_the_lift_alone_does_not_get_over() -> None:
+    world = ArmWorld((table(0.5, height=1.08),), BasePose(0.0, 0.0, 0.0))
+    place_in(world, config("stepwise_place", "exact_motion", "checked_arm_path", "level_wrist"), Load(0.04, 0.04, 0.14))
+    assert world.hits == []
+    assert world.released is not None and is_over(world, table(0.5, height=1.08))
+    assert world.joints.wrist_pitch == pytest.approx(RAISED_WRIST)
+
+
+def test_checked_arm_path_lets_go_lower_under_a_board() -> None:
+    boxes = table(0.5, height=0.7), Box((0.5, -0.5, 1.05), (1.2, 0.5, 1.08))
+    world = ArmWorld(boxes, BasePose(0.0, 0.0, 0.0))
+    place_in(
+        world, config("stepwise_place", "exact_motion", "checked_arm_path", "level_wrist", "still_arm", "drop_height")
+    )
+    assert world.hits == []
+    assert world.released is not None and is_over(world, table(0.5, height=0.7))
+
+
+def test_surface_fallback_keeps_in_mind_what_was_seen_before() -> None:
+    """The lamp is above the picture once the arm points at the table."""
+    seen = np.array([[x, -0.6, z] for x in np.arange(-0.4, 0.4, 0.02) for z in np.arange(0.8, 1.3, 0.02)], np.float32)
+    settings = config("surface_fallback", "checked_arm_path")
+    world = ArmWorld((Box((0.4, -1.0, 0.0), (1.2, 1.0, 0.75), "desk"),), BasePose(0.0, 0.0, 0.0))
+    world.do(DiscreteAction.MANIPULATION_MODE)
+    view = world.view(INSTRUCTION)
+
+    def end_knowing(surroundings: Points) -> Joints:
+        stand = Stand(view, NOWHERE, surroundings, settings.motion.line_up)
+        context = settings.context(CUP_LOAD, np.random.default_rng(5))
+        aim, _ = play(world, INSTRUCTION, lambda view: settings.fall_back(view, stand, context))
+        assert isinstance(aim, Aim)
+        return aim.path.end
+
+    assert end_knowing(seen) != end_knowing(NOTHING_ELSE)
 
 
 def test_edge_margin_is_worth_the_distance_from_the_edge_and_more_of_it_for_what_is_larger() -> None:
