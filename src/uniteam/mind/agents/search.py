@@ -202,6 +202,7 @@ def _carry_out(board: Blackboard, view: View, goal: Goal, plan: Plan) -> Move:
     if board.commitment.follow(base, plan):
         board.failed_goals.add(board.heading_for, board.bird_map.update_count)
     if plan.action is None:
+        board.bird_map.mark_faced(base)
         return Move(DiscreteAction.TURN_LEFT, f"I have come to the {_words(board, goal)} and look around.")
     return Move(plan.action, _reason(board, goal, plan))
 

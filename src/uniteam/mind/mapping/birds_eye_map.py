@@ -14,9 +14,11 @@ from uniteam.interface import Observation, Segmentation
 from uniteam.mind.mapping.clearing import MapCells
 from uniteam.mind.mapping.map_config import MapConfig
 from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, MappedFrame, Scratch
-from uniteam.mind.mapping.viewed_sides import Gaze, Pixels
+from uniteam.mind.mapping.viewed_sides import Gaze, LookBits, Pixels, look_bits
 from uniteam.mind.perception.vocabulary import ClassRole, RoleScores
 
+FACED_RANGE = 1.2
+"""m; up to which what the robot faces at the end of its way is looked at."""
 _Scalar = TypeVar("_Scalar", bound=np.generic)
 
 
@@ -143,7 +145,8 @@ class BirdsEyeMap:
         self._clear(frame, MapCells(self._channels(), self.felt, self.grid))
         self.fine.update(observation)
         self._mark_robot(base)
-        self._mark_look(base, partial(_receptacle_pixels, observation, segmentation, frame.scores))
+        pixels = partial(_receptacle_pixels, observation, segmentation, frame.scores)
+        self._mark_look(Gaze(base.x, base.y, base.heading), self._looks, pixels)
         self.update_count += 1
 
     def mark_collision(self, points: NDArray[np.floating]) -> None:
@@ -225,15 +228,22 @@ class BirdsEyeMap:
             (max(high[0], last[0] + 1), max(high[1], last[1] + 1)),
         )
 
-    def _mark_look(self, base: BasePose, pixels: Pixels) -> None:
+    def mark_faced(self, base: BasePose) -> None:
+        """Note that the start receptacles just before the robot were looked at from where it stands.
+
+        What it has not seen of them from there, it will not see from there.
+        """
+        nothing: Pixels = partial(np.zeros, (0, 3))
+        self._mark_look(Gaze(base.x, base.y, base.heading, range=FACED_RANGE), look_bits, nothing)
+
+    def _mark_look(self, gaze: Gaze, looks: LookBits, pixels: Pixels) -> None:
         """Note from which side the start receptacles ahead are looked at; see `LookBits`."""
-        gaze = Gaze(base.x, base.y, base.heading)
         reach = round(gaze.range / self.cell_size)
-        row, column = self.to_cell(base.x, base.y)
+        row, column = self.to_cell(gaze.x, gaze.y)
         near = slice(max(0, row - reach), row + reach + 1), slice(max(0, column - reach), column + reach + 1)
         corner = np.array([near[0].start, near[1].start])
         cells = corner + np.argwhere(self._class_cells[ClassRole.START_RECEPTACLE][near])
-        self.looked_from[cells[:, 0], cells[:, 1]] |= self._looks(self.to_points(cells), gaze, pixels)
+        self.looked_from[cells[:, 0], cells[:, 1]] |= looks(self.to_points(cells), gaze, pixels)
 
     def _cover(self, base: BasePose) -> None:
         """Grow until everything in reach of the robot lies on the map."""
