@@ -35,6 +35,7 @@ from uniteam.mind.manipulation.place.verify_place import LookWhereItLies, WatchR
 from uniteam.mind.manipulation.place.withdraw import stay
 from uniteam.mind.mapping.clearing import ClearSeenThrough
 from uniteam.mind.mapping.fine_obstacles import FineGrain
+from uniteam.mind.mapping.low_obstacles import LOWEST_OBSTACLE
 from uniteam.mind.mapping.projection import exact_pixels
 from uniteam.mind.mapping.resolved_look import ResolvedLook
 from uniteam.mind.mapping.visited import mark_line
@@ -387,6 +388,11 @@ BEYOND: tuple[Improvement, ...] = (
         "resolved_look",
         "a receptacle counts as looked at where pixels showed it near enough, and nothing hid it",
         map__looks=ResolvedLook(),
+    ),
+    _replacing(
+        "low_obstacles",
+        "what is lower than 10 cm and stops the base is mapped too",
+        map__min_obstacle_height=LOWEST_OBSTACLE,
     ),
     _replacing(
         "clearing",

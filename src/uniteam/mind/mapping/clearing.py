@@ -9,6 +9,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from uniteam.grid import Grid, Mask
+from uniteam.mind.mapping.low_obstacles import LOWEST_OBSTACLE
 from uniteam.mind.mapping.projection import ROLE_COUNT, Channels, MappedFrame
 
 _FLOOR, _THING = 1, 2
@@ -53,7 +54,7 @@ class ClearSeenThrough:
 
     frames: int = 8
     max_depth: float = 3.0
-    floor: float = 0.05
+    floor: float = LOWEST_OBSTACLE
 
     def __call__(self) -> Clear:
         """Return what takes cells back, with nothing counted yet."""

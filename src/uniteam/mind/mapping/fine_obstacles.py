@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from uniteam.geometry import BasePose
 from uniteam.grid import Grid, Mask
 from uniteam.interface import Observation
+from uniteam.mind.mapping.low_obstacles import LOWEST_OBSTACLE
 from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
 
 _BLOCK = 8.0
@@ -70,7 +71,7 @@ class FineGrain:
 
     cell_size: float = 0.0125
     max_depth: float = 2.5
-    min_height: float = 0.1
+    min_height: float = LOWEST_OBSTACLE
 
     def __call__(self) -> FineObstacles:
         """Return the grid, with nothing in it yet."""

@@ -15,6 +15,8 @@ from uniteam.stretch import gripper_to_base
 
 REST_STEPS = 50
 """Steps at rest after which the challenge takes an object for placed."""
+RAISE_BY = 0.15
+"""m."""
 
 
 @dataclass(frozen=True)
@@ -25,20 +27,28 @@ class WatchRest:
         still_steps: for so many steps it must not have moved; what rocks on another thing looks still before it is.
         still: it moves where its middle does by more (m).
         longest: after so many steps the robot waits no longer.
+        unseen: after so many steps without a sight of it, the arm is taken out of the picture.
+        raise_by: how far the arm is lifted before (m).
     """
 
     still_steps: int = REST_STEPS + 40
     still: float = 0.005
     longest: int = 200
+    unseen: int = 10
+    raise_by: float = RAISE_BY
 
     def __call__(self, view: View) -> Skill[View]:
         """Wait."""
-        since, at = 0, _middle(view)
+        since, at, hidden = 0, _middle(view), 0
         for _ in range(self.longest):
             if at is not None and since >= self.still_steps:
                 break
             view = yield wait_for_rest(view)
             now = _middle(view)
+            hidden = hidden + 1 if now is None else 0
+            if hidden == self.unseen:
+                view = yield from take_arm_back(view, self.raise_by)
+                now = _middle(view)
             if at is None or now is None or float(np.linalg.norm(now - at)) > self.still:
                 since, at = 0, now
             else:
@@ -58,16 +68,13 @@ class LookWhereItLies:
 
     beside: float = 0.08
     below: float = 0.05
-    raise_by: float = 0.15
+    raise_by: float = RAISE_BY
 
     def __call__(self, view: View) -> Skill[Lying | None]:
         """Answer with where the object lies; None where it is as it should be, or not known."""
         if self._is_placed(view):
             return None
-        joints = view.observation.joints
-        raised = replace(joints, lift=min(joints.lift + self.raise_by, TOP))
-        for target in (raised, replace(raised, arm=0.0)):
-            view = yield from move_joints(view, target, "I take the arm back to see where it lies.")
+        view = yield from take_arm_back(view, self.raise_by)
         points = _dropped_points(view)
         if len(points) == 0 or self._is_placed(view):
             return None
@@ -84,6 +91,17 @@ class LookWhereItLies:
         is_near = ((receptacle[:, :2] > low[:2]) & (receptacle[:, :2] < high[:2])).all(axis=1)
         bottom = float(np.percentile(points[:, 2], 2))
         return bool(np.any(np.abs(receptacle[is_near, 2] - bottom) < self.below))
+
+
+def take_arm_back(view: View, raise_by: float) -> Skill[View]:
+    """Lift the arm (m) and retract it, for what it hides to be seen; where it is retracted, do nothing."""
+    joints = view.observation.joints
+    if joints.arm == 0.0:
+        return view
+    raised = replace(joints, lift=min(joints.lift + raise_by, TOP))
+    for target in (raised, replace(raised, arm=0.0)):
+        view = yield from move_joints(view, target, "I take the arm back to see where it lies.")
+    return view
 
 
 def _dropped_points(view: View) -> Points:
