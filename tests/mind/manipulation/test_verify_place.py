@@ -1,8 +1,11 @@
 """Looking where the object is after the release."""
 
+from dataclasses import replace
+
 import pytest
 from worlds.arm_world import ArmWorld, play
 from worlds.box_world import Box
+from worlds.filled import filled
 
 from uniteam.geometry import BasePose
 from uniteam.interface import DiscreteAction, Instruction
@@ -58,3 +61,15 @@ def test_verify_place_waits_only_until_what_it_sees_has_been_still_for_long_enou
     _, waited = play(standing_beside(ON_TABLE), INSTRUCTION, placing().wait)
     assert set(watched) == {DiscreteAction.EMPTY_ACTION}
     assert (len(watched), len(unseen), len(waited)) == (90, 200, 200)
+
+
+def test_verify_place_takes_the_arm_out_of_the_picture_of_what_it_has_let_go() -> None:
+    world = standing_beside()
+    world.joints = replace(MANIPULATION_POSTURE, arm=0.3)
+    _, actions = play(world, INSTRUCTION, placing("verify_place").wait)
+    assert world.joints.arm == 0.0
+    assert all(action is DiscreteAction.EMPTY_ACTION for action in filled(actions)[:10])
+    seen = standing_beside(ON_TABLE)
+    seen.joints = replace(MANIPULATION_POSTURE, arm=0.3)
+    play(seen, INSTRUCTION, placing("verify_place").wait)
+    assert seen.joints.arm == pytest.approx(0.3)

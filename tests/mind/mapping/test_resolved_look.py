@@ -48,3 +48,30 @@ def test_resolved_look_has_not_seen_what_the_baseline_takes_for_seen(boxes: tupl
 
 def test_resolved_look_has_seen_what_is_near_and_in_the_picture() -> None:
     assert looked_share((table(0.75, 0.0),), "resolved_look") > 0.5
+
+
+def test_what_the_robot_faces_counts_as_looked_at_though_its_pixels_do_not_show_it() -> None:
+    bird_map = BirdsEyeMap(improved(BASELINE, ("exact_labels", "resolved_look")).map)
+    boxes = table(0.9, 0.0), Box((0.8, -0.15, 0.7), (0.85, 0.15, 1.2))
+    observation = observe(boxes, BasePose(0.0, 0.0, 0.0), CAMERA)
+    assert observation.truth is not None
+    bird_map.update(observation, observation.truth, role_scores(INSTRUCTION))
+    cells = bird_map.class_cells(ClassRole.START_RECEPTACLE)
+    seen = bird_map.looked_from[cells].copy()
+    bird_map.mark_faced(BasePose(0.0, 0.0, math.pi))
+    assert (bird_map.looked_from[cells] == seen).all(), "it faces away"
+    bird_map.mark_faced(BasePose(0.0, 0.0, 0.0))
+    assert np.count_nonzero(bird_map.looked_from[cells]) > np.count_nonzero(seen)
+    assert not (bird_map.looked_from[cells] & 0b0001).any(), "the far side was not looked at"
+
+
+@pytest.mark.parametrize(("distance", "counts"), [(0.45, True), (0.9, False)])
+def test_last_round_looks_again_from_close_only(distance: float, counts: bool) -> None:
+    bird_map = BirdsEyeMap(improved(BASELINE, ("exact_labels", "resolved_look", "last_round")).map)
+    observation = observe((table(distance, 0.0),), BasePose(0.0, 0.0, 0.0), CAMERA)
+    assert observation.truth is not None
+    for _ in range(2):
+        bird_map.forget_looks()
+        bird_map.update(observation, observation.truth, role_scores(INSTRUCTION))
+        cells = bird_map.class_cells(ClassRole.START_RECEPTACLE)
+        assert bool((bird_map.looked_from[cells] > 0).any()) is counts

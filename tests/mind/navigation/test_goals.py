@@ -240,6 +240,18 @@ def test_a_robot_that_is_stuck_on_its_way_to_the_goal_turns_to_a_frontier(
     assert bool(commitment.left) is gets_on
 
 
+# --- low_obstacles
+
+
+@pytest.mark.parametrize(("names", "gets_past"), [((), False), (("low_obstacles",), True)])
+def test_low_obstacles_lead_around_what_the_baseline_runs_into(names: tuple[str, ...], gets_past: bool) -> None:
+    towel = Box((0.7, -0.3, 0.0), (0.9, 0.3, 0.05))
+    map_config = improved(BASELINE, ("exact_labels", "driven_line", *names)).map
+    drive = Drive.begin((*ROOM, towel, bed(2.2, -0.5, 2.9, 0.5)), START, map_config=map_config)
+    drive.run(SEARCH.for_receptacle(), 25)
+    assert bool(max(base.x for base in drive.trail) > 1.2) is gets_past
+
+
 # --- surround_start_receptacle
 
 
