@@ -22,7 +22,7 @@ SOURCES = (
     "mind/mapping/clearing.py",
     "mind/mapping/fine_obstacles.py",
     "mind/mapping/projection.py",
-    "mind/navigation/planning/distance_field.py",
+    "mind/navigation/planning/bucket_queue.py",
     "stretch.py",
     "world/oracle/true_paths.py",
     "world/rendering/kernels/culling.py",
