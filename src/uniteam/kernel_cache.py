@@ -22,6 +22,7 @@ SOURCES = (
     "mind/mapping/clearing.py",
     "mind/mapping/fine_obstacles.py",
     "mind/mapping/projection.py",
+    "mind/mapping/view_on_map.py",
     "mind/navigation/planning/bucket_queue.py",
     "stretch.py",
     "world/oracle/true_paths.py",

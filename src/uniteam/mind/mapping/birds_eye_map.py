@@ -13,7 +13,7 @@ from uniteam.grid import Cell, Grid, Mask, disc
 from uniteam.interface import Observation, Segmentation
 from uniteam.mind.mapping.clearing import MapCells
 from uniteam.mind.mapping.map_config import MapConfig
-from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, MappedFrame, Scratch
+from uniteam.mind.mapping.projection import ROLE_COUNT, Channels, MappedFrame
 from uniteam.mind.mapping.viewed_sides import Gaze, Pixels
 from uniteam.mind.perception.vocabulary import ClassRole, RoleScores
 
@@ -62,10 +62,9 @@ class BirdsEyeMap:
         self._class_cells = np.zeros((ROLE_COUNT, *shape), dtype=np.bool_)
         self._class_probability = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
         self._class_height = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
-        self._scratch = _make_scratch(shape)
         self._last_base: BasePose | None = None
         self._known: tuple[Cell, Cell] = (shape, (0, 0))
-        self._clear = self.config.clear()
+        self._project, self._clear = self.config.project(), self.config.clear()
         self.fine = self.config.fine_obstacles()
         self.update_count = 0
 
@@ -137,7 +136,7 @@ class BirdsEyeMap:
         base = observation.base_to_start
         self._cover(base)
         frame, limits = self._frame(observation, segmentation, roles), self.config.limits(observation.depth.size)
-        touched = self.config.project(frame, limits, self._scratch, self._channels())
+        touched = self._project(frame, limits, self._channels())
         self._know(touched[:2], touched[2:])
         self._clear(frame, MapCells(self._channels(), self.felt, self.grid))
         self.fine.update(observation)
@@ -260,7 +259,6 @@ class BirdsEyeMap:
         self._class_cells = _placed(self._class_cells, low, shape)
         self._class_probability = _placed(self._class_probability, low, shape)
         self._class_height = _placed(self._class_height, low, shape)
-        self._scratch = _make_scratch(self.shape)
         first, past = self._known
         self._known = ((first[0] + low[0], first[1] + low[1]), (past[0] + low[0], past[1] + low[1]))
         self.origin = (self.origin[0] - low[1] * self.cell_size, self.origin[1] - low[0] * self.cell_size)
@@ -284,13 +282,3 @@ def _receptacle_pixels(
     rays = np.stack([(columns - camera.cx) / camera.fx, (rows - camera.cy) / camera.fy, np.ones(len(rows))], axis=-1)
     points = transform_points(observation.camera_to_start, rays * depth[:, None])
     return np.column_stack([points[:, :2], depth / camera.fx])
-
-
-def _make_scratch(shape: tuple[int, int]) -> Scratch:
-    size = shape[0] * shape[1]
-    return Scratch(
-        np.zeros((size, COUNT_COLUMNS), dtype=np.int32),
-        np.zeros((size, ROLE_COUNT), dtype=np.float32),
-        np.zeros((size, ROLE_COUNT), dtype=np.float32),
-        np.zeros(size, dtype=np.int32),
-    )
