@@ -67,8 +67,8 @@ _BASELINE = (
     Mutant(
         "each pixel has its own label",
         f"{_MIND}/mapping/block_projection.py",
-        "            for dv in range(block):\n                for du in range(block):",
-        "            for dv in range(1):\n                for du in range(1):",
+        "    for dv in range(block):\n        for du in range(block):",
+        "    for dv in range(1):\n        for du in range(1):",
         (_BLOCK_TESTS,),
     ),
 )

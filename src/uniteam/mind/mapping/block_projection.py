@@ -30,13 +30,18 @@ OFF_AXIS = 1.15
 CAMERA_CLEARANCE = 0.01
 """m; what is higher above the camera is no obstacle."""
 
+_RIM, _NONE = 1, 1 << 30
+
 
 class _Voxels(NamedTuple):
     """The grid before the robot, empty between frames: only what a frame has touched need be emptied after it.
 
+    It has a rim of a voxel on all sides, for what points beside it spread beyond it. What is spread to its first rows,
+    columns and levels does not count either, as in HomeRobot.
+
     Attributes:
-        points: (size, size, LEVELS, 1 + ROLE_COUNT), how many are in each voxel, and of each role.
-        lowest, highest: (size, size), the levels between which a column of voxels is not empty.
+        points: (rows, rows, levels, 1 + ROLE_COUNT), how many are in each voxel, and of each role.
+        lowest, highest: (rows, rows), the levels between which a column of voxels is not empty.
     """
 
     points: NDArray[np.float32]
@@ -54,7 +59,7 @@ class AveragedBlocks:
     def __call__(self, frame: MappedFrame, limits: Limits, channels: Channels) -> Box:
         """Bring a frame into the map; return the first row and column and the last ones that may have changed."""
         size = _size(limits)
-        if len(self._voxels.lowest) != size:
+        if len(self._voxels.lowest) != size + 2 * _RIM:
             self._voxels = _make_voxels(size)
         block = max(1, round(frame.depth.shape[1] / BLOCKS_ACROSS))
         scores = _splat(frame, limits, block, self._voxels)
@@ -64,10 +69,11 @@ class AveragedBlocks:
 
 
 def _make_voxels(size: int) -> _Voxels:
+    rows, levels = size + 2 * _RIM, LEVELS + 2 * _RIM
     return _Voxels(
-        np.zeros((size, size, LEVELS, 1 + ROLE_COUNT), dtype=np.float32),
-        np.full((size, size), LEVELS, dtype=np.int32),
-        np.full((size, size), -1, dtype=np.int32),
+        np.zeros((rows, rows, levels, 1 + ROLE_COUNT), dtype=np.float32),
+        np.full((rows, rows), _NONE, dtype=np.int32),
+        np.full((rows, rows), -1, dtype=np.int32),
     )
 
 
@@ -79,7 +85,7 @@ def _size(limits: Limits) -> int:
 @njit(cache=True, nogil=True)
 def _splat(frame: MappedFrame, limits: Limits, block: int, voxels: _Voxels) -> NDArray[np.float32]:  # pragma: no cover
     """Spread a frame's blocks over the voxels; return the (ROLE_COUNT, size, size) best scores at their columns."""
-    size = voxels.lowest.shape[0]
+    size = voxels.lowest.shape[0] - 2 * _RIM
     best = np.zeros((ROLE_COUNT, size, size), dtype=np.float32)
     scores = np.zeros(ROLE_COUNT, dtype=np.float32)
     fx, fy, cx, cy = frame.intrinsics
@@ -90,7 +96,7 @@ def _splat(frame: MappedFrame, limits: Limits, block: int, voxels: _Voxels) -> N
     farthest = max(limits.max_depth, limits.class_depths.max())
     for v in range(0, frame.depth.shape[0] - block + 1, block):
         for u in range(0, frame.depth.shape[1] - block + 1, block):
-            z = frame.depth[v, u]
+            z = frame.depth[np.uint64(v), np.uint64(u)]
             if z < limits.min_depth or z > farthest:
                 continue
             has_class = _average(frame, limits, u, v, block, is_wanted, features, scores)
@@ -101,7 +107,7 @@ def _splat(frame: MappedFrame, limits: Limits, block: int, voxels: _Voxels) -> N
             row = (c * x + s * y) * limits.cells_per_metre
             column = (c * y - s * x) * limits.cells_per_metre + size // 2
             level = height * limits.cells_per_metre - LOWEST
-            _spread_point(voxels, features, has_class, row, column, level)
+            _spread_point(voxels, features, row, column, level)
             if has_class and 0 <= row < size - 1 and 0 <= column < size - 1:
                 r, k = round(row), round(column)
                 for role in range(ROLE_COUNT):
@@ -119,7 +125,7 @@ def _wanted(scores: NDArray[np.float32]) -> NDArray[np.bool_]:  # pragma: no cov
     return is_wanted
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, inline="always")
 def _average(
     frame: MappedFrame,
     limits: Limits,
@@ -134,18 +140,19 @@ def _average(
 
     The first feature is 1 where the block is near enough for the map, the others the share of its pixels.
     """
-    z = frame.depth[v, u]
+    z = frame.depth[np.uint64(v), np.uint64(u)]
     share = np.float32(1.0) / np.float32(block * block)
-    features[:], scores[:] = 0, 0
     features[0] = 1.0 if z <= limits.max_depth else 0.0
+    for role in range(ROLE_COUNT):
+        features[1 + role], scores[role] = 0, 0
     has_class = False
     for dv in range(block):
         for du in range(block):
-            instance = frame.instances[v + dv, u + du]
-            if instance < 0 or not is_wanted[instance]:
+            instance = frame.instances[np.uint64(v + dv), np.uint64(u + du)]
+            if instance < 0 or not is_wanted[np.uint64(instance)]:
                 continue
             for role in range(ROLE_COUNT):
-                score = frame.scores[instance, role]
+                score = frame.scores[np.uint64(instance), role]
                 if score > 0 and z <= limits.class_depths[role]:
                     features[1 + role] += share
                     scores[role] = max(scores[role], score)
@@ -153,45 +160,51 @@ def _average(
     return has_class
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, inline="always")
 def _spread_point(
-    voxels: _Voxels, features: NDArray[np.float32], has_class: bool, row: float, column: float, level: float
+    voxels: _Voxels, features: NDArray[np.float32], row: float, column: float, level: float
 ) -> None:  # pragma: no cover
     """Add a point's features to the eight voxels around it, and note between which levels their columns are filled."""
-    size = voxels.lowest.shape[0]
     top, left, base = math.floor(row), math.floor(column), math.floor(level)
-    first, last = max(0, base), min(LEVELS - 1, base + 1)
-    for r in range(max(0, top), min(size, top + 2)):
-        for k in range(max(0, left), min(size, left + 2)):
-            voxels.lowest[r, k] = min(voxels.lowest[r, k], first)
-            voxels.highest[r, k] = max(voxels.highest[r, k], last)
-            if r == 0 or k == 0:
-                continue
-            flat = (1 - abs(row - r)) * (1 - abs(column - k))
-            for n in range(max(1, base), min(LEVELS, base + 2)):
-                weight = np.float32(flat * (1 - abs(level - n)))
-                voxels.points[r, k, n, 0] += weight * features[0]
-                if has_class:
-                    for i in range(1, 1 + ROLE_COUNT):
-                        voxels.points[r, k, n, i] += weight * features[i]
+    size, levels = voxels.lowest.shape[0], voxels.points.shape[2]
+    is_near = -1 <= top < size - 2 and -1 <= left < size - 2 and -1 <= base < levels - 2
+    points = voxels.points
+    solid, first, second, third = features[0], features[1], features[2], features[3]
+    below = np.uint64(base + 1)
+    for dr in range(2 if is_near else 0):
+        for dc in range(2):
+            r, k = np.uint64(top + dr + 1), np.uint64(left + dc + 1)
+            voxels.lowest[r, k] = min(voxels.lowest[r, k], np.int32(below))
+            voxels.highest[r, k] = max(voxels.highest[r, k], np.int32(below) + np.int32(1))
+            flat = (1 - abs(row - (top + dr))) * (1 - abs(column - (left + dc)))
+            for dl in range(2):
+                weight = np.float32(flat * (1 - abs(level - (base + dl))))
+                n = below + np.uint64(dl)
+                points[r, k, n, 0] += weight * solid
+                points[r, k, n, 1] += weight * first
+                points[r, k, n, 2] += weight * second
+                points[r, k, n, 3] += weight * third
 
 
 @njit(cache=True, nogil=True)
 def _sum_levels(voxels: _Voxels, camera_height: float, limits: Limits) -> View:  # pragma: no cover
     """Return the sums of whole points over the height, and over the obstacles' heights; the voxels are emptied."""
-    size = voxels.lowest.shape[0]
+    size = voxels.lowest.shape[0] - 2 * _RIM
     view = np.zeros((size, size, CHANNELS), dtype=np.float32)
     low = round(limits.min_height * limits.cells_per_metre) - LOWEST
     high = math.floor((camera_height + CAMERA_CLEARANCE) * limits.cells_per_metre) - LOWEST
-    for r in range(size):
-        for k in range(size):
+    for r in range(size + 2 * _RIM):
+        for k in range(size + 2 * _RIM):
+            is_inside = _RIM < r < size + _RIM and _RIM < k < size + _RIM
             for n in range(voxels.lowest[r, k], voxels.highest[r, k] + 1):
-                points = np.round(voxels.points[r, k, n, 0])
-                view[r, k, 1] += points
-                if low <= n < high:
-                    view[r, k, 0] += points
-                for role in range(ROLE_COUNT):
-                    view[r, k, 2 + role] += np.round(voxels.points[r, k, n, 1 + role])
+                if is_inside and _RIM < n < LEVELS + _RIM:
+                    cell = view[r - _RIM, k - _RIM]
+                    points = np.round(voxels.points[r, k, n, 0])
+                    cell[1] += points
+                    if low <= n - _RIM < high:
+                        cell[0] += points
+                    for role in range(ROLE_COUNT):
+                        cell[2 + role] += np.round(voxels.points[r, k, n, 1 + role])
                 voxels.points[r, k, n] = 0
-            voxels.lowest[r, k], voxels.highest[r, k] = LEVELS, -1
+            voxels.lowest[r, k], voxels.highest[r, k] = _NONE, -1
     return view

@@ -55,13 +55,16 @@ def _turn(view: View, frame: MappedFrame) -> tuple[View, Box]:  # pragma: no cov
     c, s = ahead(frame.camera_to_grid)
     is_filled = _filled(view)
     turned = np.zeros((2 * size + 1, 2 * size + 1, CHANNELS), dtype=np.float32)
+    values = np.zeros(CHANNELS, dtype=np.float32)
     first_row, first_column, last_row, last_column = 2 * size + 1, 2 * size + 1, -1, -1
     for r in range(2 * size + 1):
         for k in range(2 * size + 1):
             x, y = k - size, r - size
             row, column = c * x + s * y, c * y - s * x + size // 2
             inside = -1 < row < size and -1 < column < size
-            if inside and _sample(view, is_filled, row, column, turned[r, k]):
+            if inside and _sample(view, is_filled, row, column, values):
+                for channel in range(CHANNELS):
+                    turned[r, k, channel] = values[channel]
                 first_row, last_row = min(first_row, r), max(last_row, r)
                 first_column, last_column = min(first_column, k), max(last_column, k)
     return turned, (first_row, first_column, last_row, last_column)
@@ -78,22 +81,21 @@ def _filled(picture: View) -> NDArray[np.bool_]:  # pragma: no cover
     return is_filled
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, inline="always")
 def _sample(
     picture: View, is_filled: NDArray[np.bool_], row: float, column: float, values: NDArray[np.float32]
 ) -> bool:  # pragma: no cover
-    """Add the values of all channels between four pixels; return whether any is not 0. What is outside is 0."""
+    """Fill in the values of all channels between four pixels; return whether any is not 0. What is outside is 0."""
     top, left = math.floor(row), math.floor(column)
     found = False
     for r in range(max(0, top), min(picture.shape[0], top + 2)):
         for k in range(max(0, left), min(picture.shape[1], left + 2)):
-            if not is_filled[r, k]:
-                continue
             weight = np.float32((1 - abs(row - r)) * (1 - abs(column - k)))
-            if weight > 0:
-                found = True
+            if is_filled[np.uint64(r), np.uint64(k)] and weight > 0:
                 for channel in range(CHANNELS):
-                    values[channel] += weight * picture[r, k, channel]
+                    before = values[channel] if found else np.float32(0.0)
+                    values[channel] = before + weight * picture[np.uint64(r), np.uint64(k), channel]
+                found = True
     return found
 
 
@@ -111,7 +113,6 @@ def _merge(
     top, left = math.floor(y) - size, math.floor(x) - size
     for row in range(max(0, top + box[0] - 1), min(rows, top + box[2] + 3)):
         for column in range(max(0, left + box[1] - 1), min(columns, left + box[3] + 3)):
-            values[:] = 0
             if _sample(turned, is_filled, row - y + size, column - x + size, values):
                 first_row, last_row = min(first_row, row), max(last_row, row)
                 first_column, last_column = min(first_column, column), max(last_column, column)
@@ -119,7 +120,7 @@ def _merge(
     return first_row, first_column, last_row, last_column
 
 
-@njit(cache=True, nogil=True)
+@njit(cache=True, nogil=True, inline="always")
 def _write(
     row: int,
     column: int,
