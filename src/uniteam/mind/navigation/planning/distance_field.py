@@ -39,7 +39,7 @@ def distance_field(free: Mask, sources: Mask, cell_size: float) -> NDArray[np.fl
         sources: (H, W) bool.
         cell_size: m.
     """
-    costs, _, _ = spread(free, _alike(free), sources, np.zeros_like(free))
+    costs, _, _ = spread(free, alike(free), sources, np.zeros_like(free))
     return costs_to_metres(costs, cell_size)
 
 
@@ -62,7 +62,7 @@ def costs_to(free: Mask, sources: Mask, cell: Cell) -> NDArray[np.int32]:
     """Return the (H, W) costs (`SearchResult`) of the ways to the nearest source, where they are less than a cell's."""
     until = np.zeros_like(free)
     until[cell] = True
-    return spread(free, _alike(free), sources, until)[0]
+    return spread(free, alike(free), sources, until)[0]
 
 
 def trace_path(free: Mask, prices: NDArray[np.uint8], reach: SearchResult, cell: Cell) -> NDArray[np.int32]:
@@ -83,5 +83,6 @@ def costs_to_metres(costs: NDArray[np.int32], cell_size: float) -> NDArray[np.fl
     return np.where(costs >= FAR, np.float32(np.inf), metres).astype(np.float32)
 
 
-def _alike(free: Mask) -> NDArray[np.uint8]:
+def alike(free: Mask) -> NDArray[np.uint8]:
+    """Return the same price, 1, for all (H, W) cells."""
     return np.ones(free.shape, dtype=np.uint8)

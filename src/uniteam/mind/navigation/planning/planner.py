@@ -26,7 +26,7 @@ from uniteam.mind.navigation.planning.collision_mapping import (
     at_short_term_goal,
     forget_all,
 )
-from uniteam.mind.navigation.planning.distance_field import SearchResult, nearest_target, path_length, trace_path
+from uniteam.mind.navigation.planning.distance_field import SearchResult, alike, nearest_target, path_length, trace_path
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal
 from uniteam.mind.navigation.planning.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import Window, window_around
@@ -96,7 +96,7 @@ def write_every_motion(bird_map: BirdsEyeMap, motion: BlockedMotion) -> bool:
 
 def one_price(clearance: Clearance) -> NDArray[np.uint8]:
     """Return the same price for all cells: the shortest path wins, however near to obstacles."""
-    return np.ones(clearance.obstacle.shape, dtype=np.uint8)
+    return alike(clearance.obstacle)
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.planning.distance_field import (
     COST_PER_CELL,
     SearchResult,
+    alike,
     costs_to,
     costs_to_metres,
     trace_path,
@@ -143,4 +144,4 @@ def _point(base: BasePose, step: Cell, cell_size: float) -> tuple[float, float]:
 
 def _path(free: Mask, costs: NDArray[np.int32], robot: Cell) -> NDArray[np.int32]:
     """Return the (P, 2) cells from the robot down to the nearest place."""
-    return trace_path(free, np.ones(free.shape, dtype=np.uint8), SearchResult(costs, robot), robot)[::-1]
+    return trace_path(free, alike(free), SearchResult(costs, robot), robot)[::-1]
