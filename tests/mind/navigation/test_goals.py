@@ -29,7 +29,7 @@ from uniteam.mind.navigation.planning.collision_mapping import (
     BlockedMotion,
     before_the_rim,
 )
-from uniteam.mind.navigation.planning.planner import PlannerConfig
+from uniteam.mind.navigation.planning.planner_config import PlannerConfig
 from uniteam.mind.navigation.planning.ring_planner import RingPlanner
 from uniteam.mind.navigation.planning.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import window_around

@@ -54,7 +54,8 @@ from uniteam.mind.navigation.planning.clearance_cost import ClearancePrice
 from uniteam.mind.navigation.planning.collision_mapping import COLLISION_MAPPING, before_the_rim, keep_collisions
 from uniteam.mind.navigation.planning.long_strides import LongStrides
 from uniteam.mind.navigation.planning.narrow_motion import ExactWhereNarrow, SpareNarrowWays
-from uniteam.mind.navigation.planning.planner import plan_string_pulled, turn_in_steps
+from uniteam.mind.navigation.planning.planner import plan_string_pulled
+from uniteam.mind.navigation.planning.planner_config import turn_in_steps
 from uniteam.mind.navigation.planning.traversible import OWN_CELLS
 from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.perception.filters import FloorFilter, ScoreFilter

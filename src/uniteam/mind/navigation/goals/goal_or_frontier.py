@@ -11,7 +11,7 @@ from uniteam.grid import disc_mask
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, any_frontier
-from uniteam.mind.navigation.planning.planner import Plan
+from uniteam.mind.navigation.planning.plan import Plan
 
 Trail = Sequence[BasePose]
 """Where the base was (start frame) at each step since it set out for what it heads for, the latest last."""

@@ -8,6 +8,7 @@ through a wall that is one cell thick. A cell may have a price, by which the ste
 
 from typing import NamedTuple
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -86,3 +87,10 @@ def costs_to_metres(costs: NDArray[np.int32], cell_size: float) -> NDArray[np.fl
 def alike(free: Mask) -> NDArray[np.uint8]:
     """Return the same price, 1, for all (H, W) cells."""
     return np.ones(free.shape, dtype=np.uint8)
+
+
+def straight_distance(cells: Mask, cell_size: float) -> NDArray[np.float32]:
+    """Return each cell's distance (m) to the nearest of some cells, through everything; inf where there is none."""
+    if not cells.any():
+        return np.full(cells.shape, np.inf, dtype=np.float32)
+    return cv2.distanceTransform((~cells).view(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5) * np.float32(cell_size)

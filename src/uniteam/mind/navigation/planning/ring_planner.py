@@ -22,9 +22,12 @@ from uniteam.mind.navigation.planning.distance_field import (
     alike,
     costs_to,
     costs_to_metres,
+    straight_distance,
     trace_path,
 )
-from uniteam.mind.navigation.planning.planner import Plan, Planner, PlannerConfig, straight_distance, turn_in_steps
+from uniteam.mind.navigation.planning.plan import Plan
+from uniteam.mind.navigation.planning.planner import Planner
+from uniteam.mind.navigation.planning.planner_config import PlannerConfig, turn_in_steps
 from uniteam.mind.navigation.window import Window, window_around
 
 STEEPEST = 1.5
