@@ -10,7 +10,7 @@ from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import DiscreteAction, Instruction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.map_config import MapConfig
-from uniteam.mind.mapping.projection import ExactPixels
+from uniteam.mind.mapping.projection import exact_pixels
 from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
@@ -22,7 +22,7 @@ from uniteam.mind.navigation.planning.traversible import OWN_CELLS
 from uniteam.mind.perception.vocabulary import role_scores
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(120, 160, math.radians(42.0))
-EXACT_MAP = MapConfig(project=ExactPixels, mark_visited=mark_line)
+EXACT_MAP = MapConfig(project=exact_pixels, mark_visited=mark_line)
 EXACT_PLANNER = PlannerConfig(tolerance=0.10, patience=0.25, own_cells=OWN_CELLS, face=turn_in_steps)
 INSTRUCTION = Instruction("cup", "table", "bed")
 

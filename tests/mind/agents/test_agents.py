@@ -314,6 +314,15 @@ def test_what_a_configuration_of_ones_own_has_cannot_be_taken_away_and_what_it_l
         agent_config(own, without=["edge_margin"])
 
 
+@pytest.mark.parametrize(("added", "removed"), [(("edge_margin",), ()), ((), ("edge_margin",))])
+def test_an_agent_without_a_configuration_refuses_improvements(
+    added: tuple[str, ...], removed: tuple[str, ...]
+) -> None:
+    for call in (make_agent, describe_agent):
+        with pytest.raises(InvalidInputError, match=r"'random' is not made of a configuration.*\(edge_margin\)"):
+            call("random", "truth", added, removed)
+
+
 @pytest.mark.parametrize("name", ["baseline", "uniteam", "uniteam-plus", "random"])
 def test_every_agent_is_described_in_json_and_improvements_show(name: str) -> None:
     text = json.dumps(describe_agent(name))

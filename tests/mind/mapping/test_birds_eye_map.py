@@ -11,11 +11,11 @@ from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.mapping.map_config import MapConfig
-from uniteam.mind.mapping.projection import ExactPixels
+from uniteam.mind.mapping.projection import exact_pixels
 from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.perception.vocabulary import ClassRole, role_scores
 
-EXACT = MapConfig(project=ExactPixels, mark_visited=mark_line)
+EXACT = MapConfig(project=exact_pixels, mark_visited=mark_line)
 START = BasePose(0.0, 0.0, 0.0)
 ROLES = role_scores(Instruction("cup", "table", "bed"))
 TABLE = Box((1.5, -0.5, 0.7), (2.3, 0.5, 0.75), "table")

@@ -33,7 +33,7 @@ from uniteam.mind.manipulation.place.verify_place import LookWhereItLies, WatchR
 from uniteam.mind.manipulation.place.withdraw import stay
 from uniteam.mind.mapping.clearing import ClearSeenThrough
 from uniteam.mind.mapping.fine_obstacles import FineGrain
-from uniteam.mind.mapping.projection import ExactPixels
+from uniteam.mind.mapping.projection import exact_pixels
 from uniteam.mind.mapping.resolved_look import ResolvedLook
 from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.navigation.first_look import FULL_CIRCLE
@@ -352,7 +352,7 @@ BEYOND: tuple[Improvement, ...] = (
     _replacing(
         "exact_labels",
         "each pixel marks the map by its own depth and label, where HomeRobot's blocks share one depth",
-        map__project=ExactPixels,
+        map__project=exact_pixels,
     ),
     _replacing(
         "driven_line", "the line that the robot drove stays free, not only where it stood", map__mark_visited=mark_line

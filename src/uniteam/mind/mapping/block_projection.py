@@ -50,7 +50,7 @@ class _Voxels(NamedTuple):
 
 
 class AveragedBlocks:
-    """Brings frames into the map block by block, as HomeRobot does."""
+    """Brings frames into the map block by block."""
 
     def __init__(self) -> None:
         """Begin without voxels; the first frame says how many are needed."""
@@ -66,6 +66,11 @@ class AveragedBlocks:
         view = _sum_levels(self._voxels, frame.camera_to_grid[2, 3], limits)
         view[..., 0] = cv2.medianBlur(np.ascontiguousarray(view[..., 0]), 3)
         return bring_onto_map(view, scores, frame, limits, channels)
+
+
+def averaged_blocks() -> AveragedBlocks:
+    """Begin an episode as HomeRobot does."""
+    return AveragedBlocks()
 
 
 def _make_voxels(size: int) -> _Voxels:

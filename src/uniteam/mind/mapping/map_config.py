@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from uniteam.grid import Cell, Mask
-from uniteam.mind.mapping.block_projection import AveragedBlocks
+from uniteam.mind.mapping.block_projection import averaged_blocks
 from uniteam.mind.mapping.clearing import Clear, never_clear
 from uniteam.mind.mapping.fine_obstacles import FineObstacles, nothing_finer
 from uniteam.mind.mapping.projection import Box, Channels, Limits, MappedFrame
@@ -48,7 +48,7 @@ class MapConfig:
         looks: from which sides the start receptacles have been looked at.
     """
 
-    project: Callable[[], Project] = AveragedBlocks
+    project: Callable[[], Project] = averaged_blocks
     mark_visited: Callable[[Mask, Cell, Cell], None] = mark_stand
     cell_size: float = 0.05
     initial_size: float = 24.0

@@ -162,7 +162,7 @@ def _merge(
 
 
 class ExactPixels:
-    """Brings frames into the map pixel by pixel, each by its own depth and label: `exact_labels`."""
+    """Brings frames into the map pixel by pixel, each by its own depth and label."""
 
     def __init__(self) -> None:
         """Begin without counts; the first frame says for how many cells they are needed."""
@@ -173,6 +173,11 @@ class ExactPixels:
         if len(self._scratch.touched) != channels.obstacle.size:
             self._scratch = _make_scratch(channels.obstacle.size)
         return _project(frame, limits, self._scratch, channels)
+
+
+def exact_pixels() -> ExactPixels:
+    """Begin an episode with a map by the pixel: `exact_labels`."""
+    return ExactPixels()
 
 
 def _make_scratch(size: int) -> Scratch:
