@@ -25,11 +25,14 @@ from uniteam.interface import (
     Observation,
     Segmentation,
 )
+from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
-from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, Improvement, ImprovementError, improved
+from uniteam.mind.agents.improvement import Improvement, ImprovementError
+from uniteam.mind.agents.improvements import IMPROVEMENTS, improved
 from uniteam.mind.agents.registry import agent_config, describe_agent, make_agent
+from uniteam.mind.agents.report import REPORT
 from uniteam.mind.manipulation.place.after_release import WaitSteps
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal

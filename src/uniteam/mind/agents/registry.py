@@ -7,11 +7,14 @@ from typing import Any, cast
 
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Agent, Body, Perception
+from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
-from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, ImprovementError, improved
+from uniteam.mind.agents.improvement import ImprovementError
+from uniteam.mind.agents.improvements import IMPROVEMENTS, improved
 from uniteam.mind.agents.random_agent import RandomAgent
+from uniteam.mind.agents.report import REPORT
 from uniteam.mind.perception.registry import PERCEPTIONS, make_perception
 from uniteam.registry import Registry
 
