@@ -19,7 +19,9 @@ import uniteam.testing
 from uniteam.cli.main import COMMANDS, _load
 from uniteam.evaluation.agent_spec import AGENTS
 from uniteam.evaluation.results.result import EpisodeResult, result_to_line
-from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT
+from uniteam.mind.agents.beyond import BEYOND
+from uniteam.mind.agents.improvements import IMPROVEMENTS
+from uniteam.mind.agents.report import REPORT
 from uniteam.mind.perception.registry import PERCEPTIONS
 from uniteam.registry import Registry
 from uniteam.world.generation.registry import HOMES

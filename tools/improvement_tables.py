@@ -7,7 +7,9 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-from uniteam.mind.agents.improvements import BEYOND, REPORT, Improvement
+from uniteam.mind.agents.beyond import BEYOND
+from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.agents.report import REPORT
 
 PAGE = Path(__file__).parents[1] / "docs" / "improvements.md"
 

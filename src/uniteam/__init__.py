@@ -31,7 +31,7 @@ _MODULE_OF = {
     "Environment": "uniteam.world.task.environment",
     "Explanation": "uniteam.interface",
     "Home": "uniteam.world.homes.home",
-    "Improvement": "uniteam.mind.agents.improvements",
+    "Improvement": "uniteam.mind.agents.improvement",
     "Instruction": "uniteam.interface",
     "JointDisplacement": "uniteam.interface",
     "Joints": "uniteam.interface",

@@ -6,6 +6,7 @@ Row is y and column is x; cell [0, 0] has the least of both.
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -15,6 +16,8 @@ Mask = NDArray[np.bool_]
 """(H, W): a property of cells."""
 Cell = tuple[int, int]
 """(row, column)."""
+
+_Scalar = TypeVar("_Scalar", bound=np.generic)
 
 
 @dataclass(frozen=True)
@@ -54,3 +57,11 @@ def disc_mask(shape: tuple[int, int], centre: Cell, radius: int) -> Mask:
     mask = np.zeros(shape, dtype=np.uint8)
     cv2.circle(mask, (int(centre[1]), int(centre[0])), radius, color=1, thickness=-1)
     return mask.view(np.bool_)
+
+
+def enlarged(channel: NDArray[_Scalar], corner: Cell, shape: Cell) -> NDArray[_Scalar]:
+    """Return a larger channel, zero but for the old one from a corner on; memory never touched costs nothing."""
+    rows, columns = channel.shape[-2:]
+    larger = np.zeros((*channel.shape[:-2], *shape), dtype=channel.dtype)
+    larger[..., corner[0] : corner[0] + rows, corner[1] : corner[1] + columns] = channel
+    return larger

@@ -7,6 +7,7 @@ the same agent runs in the simulator, on a recording and on a robot.
 import math
 from dataclasses import dataclass, fields
 from enum import Enum, IntEnum
+from operator import attrgetter
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -42,10 +43,13 @@ class Joints:
     head_tilt: float = 0.0
 
     def __add__(self, other: "Joints") -> "Joints":
-        return Joints(*(getattr(self, f.name) + getattr(other, f.name) for f in fields(Joints)))
+        return Joints(*(one + two for one, two in zip(_positions(self), _positions(other), strict=True)))
 
     def __sub__(self, other: "Joints") -> "Joints":
-        return Joints(*(getattr(self, f.name) - getattr(other, f.name) for f in fields(Joints)))
+        return Joints(*(one - two for one, two in zip(_positions(self), _positions(other), strict=True)))
+
+
+_positions = attrgetter(*(field.name for field in fields(Joints)))
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,9 @@ from uniteam.mind.mapping.visited import mark_line
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, plan_first
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
-from uniteam.mind.navigation.planning.planner import Plan, Planner, PlannerConfig, turn_in_steps
+from uniteam.mind.navigation.planning.plan import Plan
+from uniteam.mind.navigation.planning.planner import Planner
+from uniteam.mind.navigation.planning.planner_config import PlannerConfig, turn_in_steps
 from uniteam.mind.navigation.planning.traversible import OWN_CELLS
 from uniteam.mind.perception.vocabulary import role_scores
 

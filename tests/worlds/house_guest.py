@@ -13,7 +13,8 @@ import numpy as np
 
 from uniteam.interface import Decision, DiscreteAction, Instruction, Observation, Segmentation
 from uniteam.mind.agents.config import BASELINE, AgentConfig
-from uniteam.mind.agents.improvements import Improvement, improved
+from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.agents.improvements import improved
 from uniteam.mind.agents.registry import AgentContext
 from uniteam.world.generation.generate import generate_home
 from uniteam.world.homes.home import Home

@@ -102,6 +102,14 @@ def reduced_geometry(built: Built, budget: int) -> Geometry:
     return decimate(weld(built.mesh, visible[built.mesh.triangle_materials], textured), budget)
 
 
+def stand_on_origin(geometry: Geometry) -> tuple[float, ...]:
+    """Move a geometry so that it stands on the origin, and return its size along x, y and z (m)."""
+    middle = (geometry.positions.min(0) + geometry.positions.max(0)) / 2
+    middle[2] = geometry.positions[:, 2].min()
+    geometry.positions -= middle
+    return tuple(round(float(v), 4) for v in np.ptp(geometry.positions, axis=0))
+
+
 def collision_shapes(geometry: Geometry, entry: Entry) -> list[Shape]:
     """Return the shapes of the kind that the entry asks for, or that suits its role and category."""
     kind = entry.collision or ("hull" if entry.role == "object" else "solid" if entry.category in SOLID else "boxes")
@@ -147,10 +155,7 @@ def build_model(model: SourceModel, entry: Entry, folder: Path) -> dict[str, Any
 def write_model(built: Built, entry: Entry, model_id: str, provenance: dict[str, str], folder: Path) -> dict[str, Any]:
     """Decimate, find shapes and surfaces, write the file, and return the catalogue entry."""
     geometry = reduced_geometry(built, entry.budget or BUDGETS[entry.role])
-    middle = (geometry.positions.min(0) + geometry.positions.max(0)) / 2
-    middle[2] = geometry.positions[:, 2].min()
-    geometry.positions -= middle
-    size = tuple(round(float(v), 4) for v in np.ptp(geometry.positions, axis=0))
+    size = stand_on_origin(geometry)
     shapes = collision_shapes(geometry, entry)
     surfaces: list[Surface] = []
     if entry.role == "receptacle":

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from assets_build.convert import collision_shapes, supporting
+from assets_build.convert import collision_shapes, stand_on_origin, supporting
 from assets_build.geometry import decimate, split_by_crease, weld
 from assets_build.glb import write_small_glb
 from assets_build.primitives import Drawing
@@ -53,10 +53,7 @@ class Piece:
         textured = np.array([material.jpeg is not None for material in materials])
         everything = np.ones(len(mesh.positions), dtype=bool)
         geometry = decimate(weld(mesh, everything, textured), MOST_TRIANGLES[entry.role], FLATNESS)
-        middle = (geometry.positions.min(0) + geometry.positions.max(0)) / 2
-        middle[2] = geometry.positions[:, 2].min()
-        geometry.positions -= middle
-        size = tuple(round(float(v), 4) for v in np.ptp(geometry.positions, axis=0))
+        size = stand_on_origin(geometry)
         shapes = collision_shapes(geometry, entry)
         surfaces: list[Surface] = []
         if entry.role == "receptacle":

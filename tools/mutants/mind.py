@@ -7,7 +7,7 @@ look find the same places, so there is no mutant that does not look in between.
 from mutants.mutant import Mutant
 
 _MIND = "src/uniteam/mind"
-_CONFIG = f"{_MIND}/agents/improvements.py"
+_REPORT = f"{_MIND}/agents/report.py"
 _PLACE_TESTS = "tests/mind/manipulation/test_place.py"
 _PICK_TESTS = "tests/mind/manipulation/test_pick.py"
 _GOAL_TESTS = "tests/mind/navigation/test_goals.py"
@@ -67,8 +67,8 @@ _BASELINE = (
     Mutant(
         "each pixel has its own label",
         f"{_MIND}/mapping/block_projection.py",
-        "            for dv in range(block):\n                for du in range(block):",
-        "            for dv in range(1):\n                for du in range(1):",
+        "    for dv in range(block):\n        for du in range(block):",
+        "    for dv in range(1):\n        for du in range(1):",
         (_BLOCK_TESTS,),
     ),
 )
@@ -139,49 +139,49 @@ _IMPROVEMENTS = (
     ),
     Mutant(
         "early_goal_memory forgets",
-        _CONFIG,
+        _REPORT,
         "search__recall=remember_probabilities",
         "search__recall=BASELINE.search.recall",
         (_GOAL_TESTS, _AGENT_TESTS),
     ),
     Mutant(
         "collision_mapping is not put in",
-        _CONFIG,
+        _REPORT,
         "planner__collisions=COLLISION_MAPPING",
         "planner__collisions=BASELINE.planner.collisions",
         (_GOAL_TESTS,),
     ),
     Mutant(
         "surround_start_receptacle is not put in",
-        _CONFIG,
+        _REPORT,
         "search__start_receptacle=SurroundStartReceptacle()",
         "search__start_receptacle=BASELINE.search.start_receptacle",
         (_GOAL_TESTS,),
     ),
     Mutant(
         "receptacle_probability is not put in",
-        _CONFIG,
+        _REPORT,
         "search__goal_receptacle=MostProbableReceptacle()",
         "search__goal_receptacle=BASELINE.search.goal_receptacle",
         (_GOAL_TESTS,),
     ),
     Mutant(
         "centre_approach is not put in",
-        _CONFIG,
+        _REPORT,
         "search__approach=CentreApproach()",
         "search__approach=BASELINE.search.approach",
         (_GOAL_TESTS,),
     ),
     Mutant(
         "goal_or_frontier is not put in",
-        _CONFIG,
+        _REPORT,
         "is_stuck=StuckDetector()",
         "is_stuck=BASELINE.is_stuck",
         (_GOAL_TESTS, _AGENT_TESTS),
     ),
     Mutant(
         "stepwise_place is not put in",
-        _CONFIG,
+        _REPORT,
         "place__close_in=CloseInStepwise()",
         "place__close_in=BASELINE.place.close_in",
         (_PLACE_TESTS,),
@@ -195,7 +195,7 @@ _IMPROVEMENTS = (
     ),
     Mutant(
         "verify_pick trusts the snap",
-        _CONFIG,
+        _REPORT,
         "pick__is_grasped=feel_the_gripper",
         "pick__is_grasped=BASELINE.pick.is_grasped",
         (_PICK_TESTS, _AGENT_TESTS),

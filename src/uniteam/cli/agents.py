@@ -9,8 +9,10 @@ from rich.table import Table
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import UniteamError
 from uniteam.evaluation.agent_spec import AGENTS
+from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.config import BASELINE, AgentConfig
-from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, improved
+from uniteam.mind.agents.improvements import IMPROVEMENTS, improved
+from uniteam.mind.agents.report import REPORT
 from uniteam.mind.perception.registry import PERCEPTIONS
 from uniteam.registry import Registry
 from uniteam.world.generation.registry import HOMES

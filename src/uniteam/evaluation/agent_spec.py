@@ -85,7 +85,7 @@ def label_agents(
 
 
 def _config(spec: AgentSpec) -> object:
-    """Return what an improvement can change: an agent that has no configuration stays as it is."""
+    """Return what an improvement can change."""
     return spec.describe()["config"]
 
 

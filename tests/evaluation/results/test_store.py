@@ -158,7 +158,7 @@ def test_a_result_that_does_not_fit_on_the_disk_leaves_nothing_behind(tmp_path: 
         changed(measures={**json.loads(LINE)["measures"], "place_success": 1}),
         changed(measures={**json.loads(LINE)["measures"], "overall_success": True}),
         changed(measures={**json.loads(LINE)["measures"], "num_steps": 312}, episode="val_3"),
-        changed(episode="val_9"),
+        changed(episode="val_9"), LINE.replace('"state":', '"state": "STOPPED", "state":'),
     ],
 )  # fmt: skip
 def test_a_line_that_is_no_result_of_the_run_is_named_by_its_number(tmp_path: Path, line: str) -> None:
@@ -192,7 +192,18 @@ def test_another_agent_joins_the_directory_and_the_first_stays(tmp_path: Path) -
 
 
 @pytest.mark.parametrize(
-    "content", ['{"version": "1"', "[]", "{}", "null", '{"agents": 3}', '{"a":' * 50_000, "\xff", "9" * 5000]
+    "content",
+    [
+        '{"version": "1"',
+        "[]",
+        "{}",
+        "null",
+        '{"agents": 3}',
+        '{"a":' * 50_000,
+        "\xff",
+        "9" * 5000,
+        '{"agents": {"a": {}, "a": {}}}',
+    ],
 )
 def test_a_damaged_configuration_is_an_error_that_names_the_file(tmp_path: Path, content: str) -> None:
     (tmp_path / "config.json").write_text(content, encoding="latin-1")

@@ -89,7 +89,13 @@ def test_every_terminal_from_40_columns_shows_the_agents_name_and_every_figure(w
         assert word in shown
 
 
-@pytest.mark.parametrize(("width", "is_shown"), [(60, True), (80, False), (109, False), (110, True)])
+@pytest.mark.parametrize("label", ["uniteam-plus", "my_long_module.of_agents:ExplorerOfHomes"])
+@pytest.mark.parametrize("width", [40, 60, 73, 80, 90, 100, 110, 120])
+def test_no_width_of_a_terminal_breaks_a_word_of_an_agents_name_that_it_has_room_for(width: int, label: str) -> None:
+    assert (label in printed(label, 3, width)) is (width >= 60 or len(label) < 20)
+
+
+@pytest.mark.parametrize(("width", "is_shown"), [(60, True), (80, False), (120, True)])
 def test_the_three_kinds_of_collisions_are_shown_where_there_is_room(width: int, is_shown: bool) -> None:
     shown = printed("baseline", 3, width)
     for heading in ("Arm", "Held", "Objects"):

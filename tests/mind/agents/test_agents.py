@@ -25,11 +25,14 @@ from uniteam.interface import (
     Observation,
     Segmentation,
 )
+from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
-from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, Improvement, ImprovementError, improved
+from uniteam.mind.agents.improvement import Improvement, ImprovementError
+from uniteam.mind.agents.improvements import IMPROVEMENTS, improved
 from uniteam.mind.agents.registry import agent_config, describe_agent, make_agent
+from uniteam.mind.agents.report import REPORT
 from uniteam.mind.manipulation.place.after_release import WaitSteps
 from uniteam.mind.manipulation.place.more_attempts import ATTEMPTS
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
@@ -313,6 +316,15 @@ def test_what_a_configuration_of_ones_own_has_cannot_be_taken_away_and_what_it_l
     assert agent_config("baseline", without=["edge_margin"]) == BASELINE
     with pytest.raises(InvalidInputError, match=r"'edge_margin' cannot be taken away from agent 'worlds\.house_guest:"):
         agent_config(own, without=["edge_margin"])
+
+
+@pytest.mark.parametrize(("added", "removed"), [(("edge_margin",), ()), ((), ("edge_margin",))])
+def test_an_agent_without_a_configuration_refuses_improvements(
+    added: tuple[str, ...], removed: tuple[str, ...]
+) -> None:
+    for call in (make_agent, describe_agent):
+        with pytest.raises(InvalidInputError, match=r"'random' is not made of a configuration.*\(edge_margin\)"):
+            call("random", "truth", added, removed)
 
 
 @pytest.mark.parametrize("name", ["baseline", "uniteam", "uniteam-plus", "random"])

@@ -10,7 +10,7 @@ from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import improved
 from uniteam.mind.manipulation.arm_clearance import EMPTY_GRIPPER, Load
 from uniteam.mind.navigation.goal import Goal, GoalKind
-from uniteam.mind.navigation.planning.planner import Plan
+from uniteam.mind.navigation.planning.plan import Plan
 from uniteam.stretch import BASE_RADIUS
 
 BROOM = Load(along_base=0.4, along_arm=0.05, below=0.1)

@@ -9,9 +9,9 @@ from uniteam.grid import Grid, disc_mask
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import improved
 from uniteam.mind.navigation.goal import Goal, GoalKind
+from uniteam.mind.navigation.planning.bucket_queue import HIGHEST_PRICE
 from uniteam.mind.navigation.planning.clearance import Clearance
 from uniteam.mind.navigation.planning.clearance_cost import ClearancePrice
-from uniteam.mind.navigation.planning.distance_field import HIGHEST_PRICE
 
 PILLARS = (Box((1.0, -0.9, 0.0), (1.4, -0.1, 2.0)), Box((1.0, 1.9, 0.0), (1.4, 2.9, 2.0)))
 

@@ -29,9 +29,9 @@ from uniteam.mind.navigation.planning.collision_mapping import (
     BlockedMotion,
     before_the_rim,
 )
-from uniteam.mind.navigation.planning.planner import PlannerConfig
+from uniteam.mind.navigation.planning.planner_config import PlannerConfig
 from uniteam.mind.navigation.planning.ring_planner import RingPlanner
-from uniteam.mind.navigation.planning.traversible import traversible
+from uniteam.mind.navigation.planning.traversible import connected_to, traversible
 from uniteam.mind.navigation.window import window_around
 from uniteam.mind.perception.vocabulary import ClassRole, role_scores
 
@@ -75,8 +75,11 @@ def test_a_probable_receptacle_that_cannot_be_reached_is_passed_over() -> None:
     goal = PROBABLE(drive.bird_map, drive.base)
     assert goal is not None
     assert (drive.bird_map.points_of(goal.cells)[:, 0] > 0.9).all()
-    distances = [r.distance for r in find_receptacles(drive.bird_map, START, ClassRole.GOAL_RECEPTACLE, 0.75)]
-    assert sorted(np.isinf(distances)) == [False, True]
+    window = window_around(drive.bird_map, START)
+    robot = window.inside(drive.bird_map.to_cell(0.0, 0.0))
+    known = connected_to(robot, traversible(drive.bird_map, window, robot, dilation=3))
+    receptacles = find_receptacles(drive.bird_map, window, known, reach=0.75)
+    assert sorted(bool(receptacle.stands.any()) for receptacle in receptacles) == [False, True]
 
 
 # --- early_goal_memory

@@ -23,7 +23,8 @@ from uniteam.mind.navigation.goals.exploration import (
     start_receptacle_not_been_close,
 )
 from uniteam.mind.navigation.goals.frontier import FrontierConfig, find_frontiers
-from uniteam.mind.navigation.planning.planner import Planner, turn_in_steps
+from uniteam.mind.navigation.planning.planner import Planner
+from uniteam.mind.navigation.planning.planner_config import turn_in_steps
 from uniteam.mind.navigation.planning.traversible import traversible
 from uniteam.mind.navigation.planning.true_radius import true_radius
 from uniteam.mind.navigation.window import window_around

@@ -3,6 +3,8 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
+from rich.console import Console
+from rich.measure import Measurement
 from rich.table import Table
 
 from uniteam.evaluation.results.intervals import Estimate
@@ -24,10 +26,7 @@ and the arm touched small objects; they are shown where there is room."""
 STEPS = "Steps"
 EPISODES = "episodes"
 
-WIDE_ENOUGH = 80
-"""Columns of a terminal that leave room for an agent's name; in a narrower one the measures are the rows."""
-ROOM_FOR_COLLISIONS = 110
-"""Columns of a terminal in which a wide table shows the collisions too."""
+_ANY_WIDTH = 10_000
 
 
 @dataclass(frozen=True)
@@ -44,14 +43,19 @@ def challenge_table(rows: Mapping[str, Row], caption: str, width: int, shown: Ca
     Args:
         rows: by the agent's label.
         caption: what the figures are from.
-        width: columns of the terminal; a narrow one gets a table that is narrow and long.
+        width: columns of the terminal; where an agent's name would be broken, the collisions are left out, and where it
+            still would be, the measures are the rows.
         shown: makes an agent's label fit to be shown, whatever it contains.
     """
     cells = {shown(agent): _cells(row) for agent, row in rows.items()}
-    if width < WIDE_ENOUGH:
-        return _narrow(cells, caption)
-    collisions = COLLISIONS if width >= ROOM_FOR_COLLISIONS else {}
-    return _wide(cells, (*PERCENTAGES, *collisions, STEPS, EPISODES), caption)
+    tables = (_wide(cells, (*PERCENTAGES, *more, STEPS, EPISODES), caption) for more in (COLLISIONS, ()))
+    return next((table for table in tables if _least_width(table) <= width), _narrow(cells, caption))
+
+
+def _least_width(table: Table) -> int:
+    """Return how many columns of a terminal a table needs so that no word of it is broken."""
+    console = Console(width=_ANY_WIDTH)
+    return Measurement.get(console, console.options, table).minimum
 
 
 Cells = dict[str, tuple[str, str]]

@@ -5,6 +5,7 @@ from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from uniteam.errors import DamagedFileError
+from uniteam.strict_json import parse_json
 from uniteam.world.task.episode import MAXIMUM_STEPS
 from uniteam.world.task.measures import Measures
 
@@ -73,7 +74,7 @@ def result_from_line(line: str | bytes) -> tuple[str, EpisodeResult]:
             its bounds, or the measures contradict each other.
     """
     try:
-        data = json.loads(line)
+        data = parse_json(line)
         _check_fields(data, ("agent", *(f.name for f in fields(EpisodeResult))))
         return _text(data, "agent"), EpisodeResult(
             episode=_text(data, "episode"),

@@ -18,6 +18,7 @@ from uniteam.evaluation.results.journal import Journal
 from uniteam.evaluation.results.lock import FolderLock
 from uniteam.evaluation.results.result import EpisodeResult, result_from_line, result_to_line
 from uniteam.files import try_folder, write_whole
+from uniteam.strict_json import parse_json
 
 Results = dict[str, dict[str, EpisodeResult]]
 """By agent, then by episode, in the order in which they ended."""
@@ -93,7 +94,7 @@ def _read_configuration(path: Path) -> dict[str, Any]:
     if not path.exists():
         return {}
     try:
-        data = json.loads(path.read_bytes())
+        data = parse_json(path.read_bytes())
         if not isinstance(data, dict) or not isinstance(data.get("agents"), dict):
             raise ValueError("it is not the configuration of a run")
     except (OSError, ValueError, RecursionError) as error:

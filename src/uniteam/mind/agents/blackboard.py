@@ -14,7 +14,8 @@ from uniteam.mind.navigation.goals.exploration import SearchConfig
 from uniteam.mind.navigation.goals.failed_attempts import Misses
 from uniteam.mind.navigation.goals.failed_goals import FailedGoals
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
-from uniteam.mind.navigation.planning.planner import Plan, Planner
+from uniteam.mind.navigation.planning.plan import Plan
+from uniteam.mind.navigation.planning.planner import Planner
 from uniteam.mind.perception.vocabulary import RoleScores, role_scores
 
 

@@ -16,7 +16,8 @@ from uniteam.mind.navigation.first_look import HOMEROBOT_TURNS, FirstLook
 from uniteam.mind.navigation.goals.exploration import SearchConfig
 from uniteam.mind.navigation.goals.failed_goals import FailedGoals, remember_no_goals
 from uniteam.mind.navigation.goals.goal_or_frontier import Trail, never_stuck
-from uniteam.mind.navigation.planning.planner import Planner, PlannerConfig
+from uniteam.mind.navigation.planning.planner import Planner
+from uniteam.mind.navigation.planning.planner_config import PlannerConfig
 from uniteam.mind.navigation.planning.ring_planner import plan_by_ring
 from uniteam.mind.perception.filters import Filter, ScoreFilter, Thresholds
 from uniteam.mind.skills.step_aside import never_step_aside

@@ -8,7 +8,7 @@ from uniteam.grid import Mask
 from uniteam.interface import MapLabel, MapOverlay
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal, GoalKind
-from uniteam.mind.navigation.planning.planner import Plan
+from uniteam.mind.navigation.planning.plan import Plan
 from uniteam.mind.navigation.window import Window, window_around
 from uniteam.mind.perception.vocabulary import ClassRole
 

@@ -7,11 +7,14 @@ from typing import Any, cast
 
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Agent, Body, Perception
+from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.describe import describe
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
-from uniteam.mind.agents.improvements import BEYOND, IMPROVEMENTS, REPORT, ImprovementError, improved
+from uniteam.mind.agents.improvement import ImprovementError
+from uniteam.mind.agents.improvements import IMPROVEMENTS, improved
 from uniteam.mind.agents.random_agent import RandomAgent
+from uniteam.mind.agents.report import REPORT
 from uniteam.mind.perception.registry import PERCEPTIONS, make_perception
 from uniteam.registry import Registry
 
@@ -78,7 +81,7 @@ def make_agent(
     Raises:
         UnknownNameError: an agent, a perception or an improvement that there is none of, with the nearest valid name.
         ImprovementError: an improvement that does not fit the agent's configuration.
-        InvalidInputError: what the factory makes is no agent, or an improvement cannot be taken away from it.
+        InvalidInputError: what the factory makes is no agent, or an improvement cannot be added to it or taken away.
     """
     entry = _entry(name, with_, without)
     PERCEPTIONS.get(perception)
@@ -131,8 +134,13 @@ def _entry(name: str, with_: Iterable[str], without: Iterable[str]) -> AgentConf
     added, removed = tuple(with_), tuple(without)
     for improvement in (*added, *removed):
         IMPROVEMENTS.get(improvement)
-    if not isinstance(entry, AgentConfig) or not (added or removed):
+    if not (added or removed):
         return entry
+    if not isinstance(entry, AgentConfig):
+        raise InvalidInputError(
+            f"agent '{name}' is not made of a configuration, so no improvement can be added to it or taken away "
+            f"({', '.join((*added, *removed))}); name it without any, in a command of its own"
+        )
     if name in _OWN:
         own = [improvement.name for improvement in _OWN[name]]
         return improved(BASELINE, [each for each in (*own, *added) if each not in removed])

@@ -18,7 +18,8 @@ from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, SearchConfig
 from uniteam.mind.navigation.goals.failed_attempts import Misses
 from uniteam.mind.navigation.planning.collision_mapping import forget_all
-from uniteam.mind.navigation.planning.planner import BLOCKED_OFTEN, Plan
+from uniteam.mind.navigation.planning.plan import Plan
+from uniteam.mind.navigation.planning.planner import BLOCKED_OFTEN
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.skill import Move, Skill
 from uniteam.mind.skills.step_aside import step_aside

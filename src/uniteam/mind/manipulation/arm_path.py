@@ -43,8 +43,8 @@ def _between(start: Joints, end: Joints, parts: int = 4) -> tuple[Joints, ...]:
 
 
 def _mixed(start: Joints, end: Joints, fraction: float) -> Joints:
-    values = {f.name: getattr(start, f.name) + fraction * getattr(end - start, f.name) for f in fields(Joints)}
-    return Joints(**values)
+    away = end - start
+    return Joints(*(getattr(start, f.name) + fraction * getattr(away, f.name) for f in fields(Joints)))
 
 
 def follow(view: View, path: ArmPath) -> Skill[View]:

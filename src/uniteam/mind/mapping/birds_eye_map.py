@@ -2,24 +2,23 @@
 
 import math
 from functools import partial
-from typing import TypeVar
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import BasePose, transform_points
-from uniteam.grid import Cell, Grid, Mask, disc
+from uniteam.geometry import BasePose
+from uniteam.grid import Cell, Grid, Mask, disc, enlarged
 from uniteam.interface import Observation, Segmentation
 from uniteam.mind.mapping.clearing import MapCells
+from uniteam.mind.mapping.frame_on_map import frame_on_map, receptacle_pixels
 from uniteam.mind.mapping.map_config import MapConfig
-from uniteam.mind.mapping.projection import COUNT_COLUMNS, ROLE_COUNT, Channels, MappedFrame, Scratch
+from uniteam.mind.mapping.projection import ROLE_COUNT, Channels
 from uniteam.mind.mapping.viewed_sides import Gaze, LookBits, Pixels, look_bits
 from uniteam.mind.perception.vocabulary import ClassRole, RoleScores
 
 FACED_RANGE = 1.2
 """m; up to which what the robot faces at the end of its way is looked at."""
-_Scalar = TypeVar("_Scalar", bound=np.generic)
 
 
 class BirdsEyeMap:
@@ -64,10 +63,9 @@ class BirdsEyeMap:
         self._class_cells = np.zeros((ROLE_COUNT, *shape), dtype=np.bool_)
         self._class_probability = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
         self._class_height = np.zeros((ROLE_COUNT, *shape), dtype=np.float32)
-        self._scratch = _make_scratch(shape)
         self._last_base: BasePose | None = None
         self._known: tuple[Cell, Cell] = (shape, (0, 0))
-        self._clear = self.config.clear()
+        self._project, self._clear = self.config.project(), self.config.clear()
         self._looks = self.config.looks
         self.fine = self.config.fine_obstacles()
         self.update_count = 0
@@ -139,13 +137,16 @@ class BirdsEyeMap:
         """Bring a frame into the map, and the robot's own place."""
         base = observation.base_to_start
         self._cover(base)
-        frame, limits = self._frame(observation, segmentation, roles), self.config.limits(observation.depth.size)
-        touched = self.config.project(frame, limits, self._scratch, self._channels())
+        frame, limits = (
+            frame_on_map(observation, segmentation, roles, self.origin),
+            self.config.limits(observation.depth.size),
+        )
+        touched = self._project(frame, limits, self._channels())
         self._know(touched[:2], touched[2:])
         self._clear(frame, MapCells(self._channels(), self.felt, self.grid))
         self.fine.update(observation)
         self._mark_robot(base)
-        pixels = partial(_receptacle_pixels, observation, segmentation, frame.scores)
+        pixels = partial(receptacle_pixels, observation, segmentation, frame.scores)
         self._mark_look(Gaze(base.x, base.y, base.heading), self._looks, pixels)
         self.update_count += 1
 
@@ -188,23 +189,6 @@ class BirdsEyeMap:
 
     def _channels(self) -> Channels:
         return Channels(self.obstacle, self.explored, self._class_cells, self._class_probability, self._class_height)
-
-    def _frame(self, observation: Observation, segmentation: Segmentation, roles: RoleScores) -> MappedFrame:
-        camera = observation.camera
-        camera_to_grid = np.array(observation.camera_to_start[:3], dtype=np.float64)
-        camera_to_grid[:2, 3] -= self.origin
-        base = observation.base_to_start
-        scores = np.zeros((max(1, len(segmentation.detections)), ROLE_COUNT), dtype=np.float32)
-        for index, detection in enumerate(segmentation.detections):
-            scores[index] = roles(detection)
-        return MappedFrame(
-            np.ascontiguousarray(observation.depth, dtype=np.float32),
-            np.ascontiguousarray(segmentation.instances, dtype=np.int16),
-            scores,
-            np.array([camera.fx, camera.fy, camera.cx, camera.cy], dtype=np.float32),
-            camera_to_grid.astype(np.float32),
-            np.array([base.x - self.origin[0], base.y - self.origin[1]], dtype=np.float32),
-        )
 
     def _mark_robot(self, base: BasePose) -> None:
         cell = self.to_cell(base.x, base.y)
@@ -265,44 +249,13 @@ class BirdsEyeMap:
         rows, columns = self.shape
         shape = rows + low[0] + high[0], columns + low[1] + high[1]
         self.obstacle, self.explored, self.visited, self.been_close, self.collision, self.felt = (
-            _placed(channel, low, shape)
+            enlarged(channel, low, shape)
             for channel in (self.obstacle, self.explored, self.visited, self.been_close, self.collision, self.felt)
         )
-        self.looked_from = _placed(self.looked_from, low, shape)
-        self._class_cells = _placed(self._class_cells, low, shape)
-        self._class_probability = _placed(self._class_probability, low, shape)
-        self._class_height = _placed(self._class_height, low, shape)
-        self._scratch = _make_scratch(self.shape)
+        self.looked_from = enlarged(self.looked_from, low, shape)
+        self._class_cells = enlarged(self._class_cells, low, shape)
+        self._class_probability = enlarged(self._class_probability, low, shape)
+        self._class_height = enlarged(self._class_height, low, shape)
         first, past = self._known
         self._known = ((first[0] + low[0], first[1] + low[1]), (past[0] + low[0], past[1] + low[1]))
         self.origin = (self.origin[0] - low[1] * self.cell_size, self.origin[1] - low[0] * self.cell_size)
-
-
-def _placed(channel: NDArray[_Scalar], corner: Cell, shape: Cell) -> NDArray[_Scalar]:
-    """Return a larger channel, zero but for the old one from a corner on; memory never touched costs nothing."""
-    rows, columns = channel.shape[-2:]
-    larger = np.zeros((*channel.shape[:-2], *shape), dtype=channel.dtype)
-    larger[..., corner[0] : corner[0] + rows, corner[1] : corner[1] + columns] = channel
-    return larger
-
-
-def _receptacle_pixels(
-    observation: Observation, segmentation: Segmentation, scores: NDArray[np.float32]
-) -> NDArray[np.float64]:
-    """Return the (N, 3) pixels of start receptacles: x, y (m, start frame) and the resolution there (m a pixel)."""
-    camera, is_start = observation.camera, np.append(scores[:, ClassRole.START_RECEPTACLE] > 0, False)
-    rows, columns = np.nonzero(is_start[segmentation.instances] & (observation.depth > 0))
-    depth = observation.depth[rows, columns].astype(np.float64)
-    rays = np.stack([(columns - camera.cx) / camera.fx, (rows - camera.cy) / camera.fy, np.ones(len(rows))], axis=-1)
-    points = transform_points(observation.camera_to_start, rays * depth[:, None])
-    return np.column_stack([points[:, :2], depth / camera.fx])
-
-
-def _make_scratch(shape: tuple[int, int]) -> Scratch:
-    size = shape[0] * shape[1]
-    return Scratch(
-        np.zeros((size, COUNT_COLUMNS), dtype=np.int32),
-        np.zeros((size, ROLE_COUNT), dtype=np.float32),
-        np.zeros((size, ROLE_COUNT), dtype=np.float32),
-        np.zeros(size, dtype=np.int32),
-    )

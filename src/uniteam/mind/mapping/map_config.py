@@ -9,7 +9,7 @@ from uniteam.grid import Cell, Mask
 from uniteam.mind.mapping.block_projection import averaged_blocks
 from uniteam.mind.mapping.clearing import Clear, never_clear
 from uniteam.mind.mapping.fine_obstacles import FineObstacles, nothing_finer
-from uniteam.mind.mapping.projection import Channels, Limits, MappedFrame, Scratch
+from uniteam.mind.mapping.projection import Box, Channels, Limits, MappedFrame
 from uniteam.mind.mapping.viewed_sides import LookBits, look_bits
 from uniteam.mind.mapping.visited import mark_stand
 from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
@@ -17,6 +17,9 @@ from uniteam.stretch import BASE_RADIUS, ROBOT_HEIGHT
 _REFERENCE_PIXELS = 240 * 320
 OFF_AXIS = 1.15
 """A pixel at the corner of the picture is so much farther away over the floor than its depth along the optical axis."""
+
+Project = Callable[[MappedFrame, Limits, Channels], Box]
+"""Writes a frame into the map's cells; returns the part of the map that may have changed."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +35,7 @@ class MapConfig:
         been_close_radius: the disc around the robot that it has been close to (m).
         explored_radius: the disc around the robot that counts as explored, which its camera cannot see (m).
         own_radius: points nearer than this to the base's axis are the robot itself (m).
-        project: writes a frame into the map's cells; returns the part of the map that may have changed.
+        project: what writes frames into the map's cells.
         mark_visited: marks where the robot has been between the cells of two steps.
         min_solid_points, min_class_points: how many points of one frame make a cell an obstacle or one of a class, in a
             frame of 240 x 320 pixels; they grow with the number of pixels. Where `exact_labels` counts pixels.
@@ -46,7 +49,7 @@ class MapConfig:
         closer_looks: the same, once all looks were forgotten because they showed nothing.
     """
 
-    project: Callable[[MappedFrame, Limits, Scratch, Channels], tuple[int, int, int, int]] = averaged_blocks
+    project: Callable[[], Project] = averaged_blocks
     mark_visited: Callable[[Mask, Cell, Cell], None] = mark_stand
     cell_size: float = 0.05
     initial_size: float = 24.0

@@ -12,7 +12,10 @@ from numpy.typing import NDArray
 
 ROLE_COUNT = 3
 TOUCHED, SEEN, SOLID, FIRST_CLASS = 0, 1, 2, 3  # columns of `Scratch.counts`
-COUNT_COLUMNS = FIRST_CLASS + ROLE_COUNT
+_COUNT_COLUMNS = FIRST_CLASS + ROLE_COUNT
+
+Box = tuple[int, int, int, int]
+"""First row, first column, last row, last column of a part of the map; the last are less where there is nothing."""
 
 
 class MappedFrame(NamedTuple):
@@ -158,18 +161,36 @@ def _merge(
     return first_row, first_column, last_row, last_column
 
 
-@njit(cache=True, nogil=True, fastmath=True)
-def project_frame(
-    frame: MappedFrame, limits: Limits, scratch: Scratch, channels: Channels
-) -> tuple[int, int, int, int]:  # pragma: no cover
-    """Bring a frame into the map: what it shows is explored, solid, of a class, or no longer of one.
+class ExactPixels:
+    """Brings frames into the map pixel by pixel, each by its own depth and label."""
 
-    Returns the first row and column and the last row and column that the frame touched.
-    """
+    def __init__(self) -> None:
+        """Begin without counts; the first frame says for how many cells they are needed."""
+        self._scratch = _make_scratch(0)
+
+    def __call__(self, frame: MappedFrame, limits: Limits, channels: Channels) -> Box:
+        """Bring a frame into the map: what it shows is explored, solid, of a class, or no longer of one."""
+        if len(self._scratch.touched) != channels.obstacle.size:
+            self._scratch = _make_scratch(channels.obstacle.size)
+        return _project(frame, limits, self._scratch, channels)
+
+
+def exact_pixels() -> ExactPixels:
+    """Begin an episode with a map by the pixel: `exact_labels`."""
+    return ExactPixels()
+
+
+def _make_scratch(size: int) -> Scratch:
+    return Scratch(
+        np.zeros((size, _COUNT_COLUMNS), dtype=np.int32),
+        np.zeros((size, ROLE_COUNT), dtype=np.float32),
+        np.zeros((size, ROLE_COUNT), dtype=np.float32),
+        np.zeros(size, dtype=np.int32),
+    )
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _project(frame: MappedFrame, limits: Limits, scratch: Scratch, channels: Channels) -> Box:  # pragma: no cover
+    """Bring a frame into the map; return the part that it touched."""
     touched = _count_points(frame, limits, scratch, channels.obstacle.shape)
     return _merge(scratch, touched, channels, limits)
-
-
-def exact_pixels(frame: MappedFrame, limits: Limits, scratch: Scratch, channels: Channels) -> tuple[int, int, int, int]:
-    """Bring a frame into the map pixel by pixel, each by its own depth and label: `exact_labels`."""
-    return project_frame(frame, limits, scratch, channels)

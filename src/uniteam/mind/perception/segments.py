@@ -17,6 +17,8 @@ def keep_detections(segmentation: Segmentation, keep: ArrayLike) -> Segmentation
 
 def change_detections(segmentation: Segmentation, changed: Sequence[Detection | None]) -> Segmentation:
     """Return the segmentation with each detection replaced by its entry of `changed`; None leaves it out."""
+    if all(detection is not None for detection in changed):
+        return Segmentation(segmentation.instances, tuple(detection for detection in changed if detection is not None))
     new_index = np.full(len(changed) + 1, -1, dtype=np.int16)
     detections: list[Detection] = []
     for index, detection in enumerate(changed):

@@ -3,13 +3,13 @@
 A missed object ends the episode, so little evidence is enough to go and look; a wrong goal receptacle costs it.
 """
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 
 from uniteam.errors import DamagedFileError
 from uniteam.mind.perception.filters import Thresholds
 from uniteam.mind.perception.vocabulary import ClassRole
+from uniteam.strict_json import parse_json
 
 THRESHOLD_FILE = Path(__file__).with_name("thresholds.json")
 """The package's own; `by_class` holds the classes for which a perception has been measured."""
@@ -22,7 +22,7 @@ def read_thresholds(path: Path = THRESHOLD_FILE) -> Thresholds:
         DamagedFileError: the file cannot be read as that; the message names the file and the field.
     """
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = parse_json(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise DamagedFileError(
             f"'{path}' must be a JSON file of thresholds, but cannot be read: {error}; mend or replace it"

@@ -1,12 +1,12 @@
 """Reading files that anybody may have written: as much as is sensible, and one sentence where that is not enough."""
 
-import json
 from pathlib import Path
 from typing import TypeVar
 
 import msgspec
 
 from uniteam.errors import DamagedFileError
+from uniteam.strict_json import parse_json
 
 PACK_DIRECTORY = Path(__file__).parent / "pack"
 """The library that comes with the package."""
@@ -60,15 +60,8 @@ def decode_json(content: bytes, schema: type[Schema]) -> Schema:
         ValueError: a field stands twice in one object, so that readers differ in which they take.
     """
     value = msgspec.json.decode(content, type=schema)
-    json.loads(content, object_pairs_hook=_refuse_doubled)
+    parse_json(content)
     return value
-
-
-def _refuse_doubled(pairs: list[tuple[str, object]]) -> None:
-    fields = [field for field, _ in pairs]
-    if len(set(fields)) < len(fields):
-        doubled = next(field for field in fields if fields.count(field) > 1)
-        raise ValueError(f"the field {doubled[:100]!r} comes twice")
 
 
 def modified(path: Path) -> tuple[int, int]:

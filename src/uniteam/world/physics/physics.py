@@ -70,6 +70,7 @@ class Physics:
         self.names = self.model.bodies
         self.version = 0
         self._index = {name: k for k, name in enumerate(self.names)}
+        self._owners = np.array(self.model.owners)
         self._data = mujoco.MjData(self.model.mujoco)
         self._still = mujoco.MjData(self.model.mujoco)
         self._slow_steps = np.zeros(len(self.names), np.int64)
@@ -150,7 +151,7 @@ class Physics:
         data = self.still_data()
         with self._sleepless():
             mujoco.mj_collision(self.model.mujoco, data)
-        return {name: tuple(found) for name, found in self._found(data.contact).items()}
+        return {name: tuple(found) for name, found in self._found(data.contact, range(data.ncon)).items()}
 
     def touching(self, name: str) -> frozenset[str]:
         """Return what a body touches: names of instances, "wall", "floor"."""
@@ -194,14 +195,16 @@ class Physics:
         options.enableflags |= _SLEEP
 
     def _contacts_of(self, name: str, contacts: Any) -> tuple[Contact, ...]:
-        return tuple(self._found(contacts)[name])
+        is_own = self._owners[contacts.geom] == name
+        return tuple(self._found(contacts, np.flatnonzero(is_own.any(axis=1)))[name])
 
-    def _found(self, contacts: Any) -> dict[str, list[Contact]]:
-        """Return MuJoCo's contacts by the bodies that they are of, in MuJoCo's order."""
+    def _found(self, contacts: Any, wanted: Iterable[int]) -> dict[str, list[Contact]]:
+        """Return some of MuJoCo's contacts by the bodies that they are of, in the given order."""
         found: dict[str, list[Contact]] = {name: [] for name in self.names}
-        for pair, point, distance in zip(contacts.geom, contacts.pos, contacts.dist, strict=True):
-            one, two = (self.model.owners[geom] for geom in pair)
-            x, y, z = point
+        geoms, points, distances = contacts.geom, contacts.pos, contacts.dist
+        for k in wanted:
+            one, two = (self.model.owners[geom] for geom in geoms[k])
+            (x, y, z), distance = points[k], distances[k]
             for name, other in ((one, two), (two, one)):
                 if name in found:
                     found[name].append(Contact(other, (float(x), float(y), float(z)), -float(distance)))

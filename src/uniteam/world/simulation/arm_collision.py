@@ -51,7 +51,8 @@ class ArmCollider:
         What the gripper has let go of is no part of the scene until it is clear of the fingers.
         """
         geoms = self._moving_geoms(held)
-        to_world = np.array([state.base.matrix() @ _frames(state.joints, held, len(geoms)) for state in path])
+        frames = {joints: _frames(joints, held, len(geoms)) for joints in {state.joints for state in path}}
+        to_world = np.array([state.base.matrix() @ frames[state.joints] for state in path])
         low, high = _boxes(to_world, self._model.low[geoms], self._model.high[geoms])
         things = self._things_near(low.min(axis=(0, 1)), high.max(axis=(0, 1)), held)
         near = _overlap(low[:, :, None], high[:, :, None], self._low[things], self._high[things])

@@ -13,7 +13,8 @@ from uniteam.geometry import BasePose
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.frontier import FrontierConfig, border_of_explored, find_frontiers
-from uniteam.mind.navigation.planning.planner import Plan, Planner
+from uniteam.mind.navigation.planning.plan import Plan
+from uniteam.mind.navigation.planning.planner import Planner
 from uniteam.mind.perception.vocabulary import ClassRole
 
 ChooseGoal = Callable[[BirdsEyeMap, BasePose], Goal | None]

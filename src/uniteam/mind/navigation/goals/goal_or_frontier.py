@@ -1,21 +1,23 @@
 """Whether to keep heading for the goal, or to leave it for a frontier when that leads nowhere."""
 
+import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-
-import numpy as np
 
 from uniteam.geometry import BasePose
 from uniteam.grid import disc_mask
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, any_frontier
-from uniteam.mind.navigation.planning.planner import Plan
+from uniteam.mind.navigation.planning.plan import Plan
 
 Trail = Sequence[BasePose]
 """Where the base was (start frame) at each step since it set out for what it heads for, the latest last."""
+
+
+_HEADING_BIN = math.radians(30.0)
 
 
 def never_stuck(trail: Trail) -> bool:
@@ -55,7 +57,7 @@ class StuckDetector:
 
 
 def _pose_bin(base: BasePose) -> tuple[int, int, int]:
-    return round(base.x / 0.1), round(base.y / 0.1), round(base.heading / np.radians(30.0)) % 12
+    return round(base.x / 0.1), round(base.y / 0.1), round(base.heading / _HEADING_BIN) % 12
 
 
 @dataclass

@@ -4,13 +4,13 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
 from uniteam.grid import Grid, Mask
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
+from uniteam.mind.navigation.planning.distance_field import straight_distance
 from uniteam.mind.navigation.window import Window
 
 _SAMPLES = 9
@@ -38,8 +38,7 @@ class Clearance:
     @cached_property
     def metres(self) -> NDArray[np.float32]:
         """(H, W) distance (m) from each cell's centre to the centre of the nearest obstacle's."""
-        free = (~self.obstacle).view(np.uint8)
-        return cv2.distanceTransform(free, cv2.DIST_L2, cv2.DIST_MASK_5) * np.float32(self.grid.cell_size)
+        return straight_distance(self.obstacle, self.grid.cell_size)
 
     def ahead(self, base: BasePose, length: float) -> float:
         """Return the least distance (m) to an obstacle on the way straight ahead of a base (start frame)."""

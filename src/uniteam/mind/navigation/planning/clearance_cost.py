@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.mind.navigation.planning.bucket_queue import HIGHEST_PRICE
 from uniteam.mind.navigation.planning.clearance import Clearance
-from uniteam.mind.navigation.planning.distance_field import HIGHEST_PRICE
 from uniteam.stretch import BASE_RADIUS
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from uniteam.geometry import BasePose
 from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement
-from uniteam.mind.navigation.planning.planner import Way
+from uniteam.mind.navigation.planning.planner_config import Way
 from uniteam.mind.skills.skill import LONGEST_DRIVE, SMALLEST_TURN
 from uniteam.stretch import BASE_RADIUS
 

@@ -9,7 +9,7 @@ from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.planning.clearance import Clearance
 from uniteam.mind.navigation.planning.collision_mapping import BlockedMotion
-from uniteam.mind.navigation.planning.planner import Way, move_in_steps
+from uniteam.mind.navigation.planning.planner_config import Way, move_in_steps
 from uniteam.mind.navigation.window import window_around
 from uniteam.mind.skills.skill import SMALLEST_TURN
 from uniteam.stretch import BASE_RADIUS

@@ -19,11 +19,15 @@ from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.planning.distance_field import (
     COST_PER_CELL,
     SearchResult,
+    alike,
     costs_to,
     costs_to_metres,
+    straight_distance,
     trace_path,
 )
-from uniteam.mind.navigation.planning.planner import Plan, Planner, PlannerConfig, straight_distance, turn_in_steps
+from uniteam.mind.navigation.planning.plan import Plan
+from uniteam.mind.navigation.planning.planner import Planner
+from uniteam.mind.navigation.planning.planner_config import PlannerConfig, turn_in_steps
 from uniteam.mind.navigation.window import Window, window_around
 
 STEEPEST = 1.5
@@ -143,4 +147,4 @@ def _point(base: BasePose, step: Cell, cell_size: float) -> tuple[float, float]:
 
 def _path(free: Mask, costs: NDArray[np.int32], robot: Cell) -> NDArray[np.int32]:
     """Return the (P, 2) cells from the robot down to the nearest place."""
-    return trace_path(free, np.ones(free.shape, dtype=np.uint8), SearchResult(costs, robot), robot)[::-1]
+    return trace_path(free, alike(free), SearchResult(costs, robot), robot)[::-1]

@@ -2,6 +2,9 @@
 
 from functools import lru_cache
 
+import numpy as np
+from numpy.typing import NDArray
+
 from uniteam.geometry import BasePose
 from uniteam.interface import Joints
 from uniteam.stretch import Transform, link_motions
@@ -26,5 +29,12 @@ def robot_parts() -> dict[str, Mesh]:
 
 def part_poses(base: BasePose, joints: Joints) -> dict[str, Transform]:
     """Return the (4, 4) poses in the world of the robot's parts, by their names in a scene."""
-    base_to_world = base.matrix()
-    return {PREFIX + group: base_to_world @ motion for group, motion in link_motions(joints).items()}
+    names, motions = _motions(joints)
+    return dict(zip(names, base.matrix() @ motions, strict=True))
+
+
+@lru_cache(maxsize=256)
+def _motions(joints: Joints) -> tuple[tuple[str, ...], NDArray[np.float64]]:
+    """Return the parts' names and how each is displaced (N, 4, 4): driving leaves the joints as they are."""
+    motions = link_motions(joints)
+    return tuple(PREFIX + group for group in motions), np.array(list(motions.values()))
