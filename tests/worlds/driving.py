@@ -23,7 +23,7 @@ from uniteam.mind.perception.vocabulary import role_scores
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(120, 160, math.radians(42.0))
 EXACT_MAP = MapConfig(project=exact_pixels, mark_visited=mark_line)
-EXACT_PLANNER = PlannerConfig(tolerance=0.10, patience=0.25, own_cells=OWN_CELLS, face=turn_in_steps)
+EXACT_PLANNER = PlannerConfig(tolerance=0.10, patience=(0.25,), own_cells=OWN_CELLS, face=turn_in_steps)
 INSTRUCTION = Instruction("cup", "table", "bed")
 
 

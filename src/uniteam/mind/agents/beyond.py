@@ -119,9 +119,9 @@ BEYOND: tuple[Improvement, ...] = (
     ),
     replacing(
         "near_enough",
-        "a goal is reached 0.1 m before, and up to 1.1 m from it where nothing nearer is free",
+        "a goal is reached 0.1 m before, and up to 0.95 m from it where nothing nearer is free",
         planner__tolerance=0.10,
-        planner__patience=0.6,
+        planner__patience=(0.25, 0.45),
     ),
     replacing("own_disc", "all that lies under the base is free, since it stands there", planner__own_cells=OWN_CELLS),
     replacing("straight_face", "the goal is faced to 15 degrees, not to 20", planner__face=turn_in_steps),

@@ -207,7 +207,8 @@ class Planner:
 
     def _distances(self, goal: Goal) -> tuple[float, ...]:
         """Return how near to the goal is near enough, the asked for first."""
-        return (goal.distance, goal.distance + self.config.patience) if goal.distance > 0 else (0.0,)
+        more = (0.0, *self.config.patience) if goal.distance > 0 else (0.0,)
+        return tuple(goal.distance + added for added in more)
 
     def turn_to_face(self, bird_map: BirdsEyeMap, base: BasePose, goal: Goal) -> Action | None:
         """Return the turn that is missing to face the goal's nearest cell, or None."""

@@ -93,8 +93,8 @@ class PlannerConfig:
         step_cells: how far ahead the short-term goal lies.
         blocked_below: a forward motion that gets less far was blocked (share of what was asked for).
         tolerance: the goal is reached this far (m, along the path) before the place that was asked for.
-        patience: what may be added to the goal's distance (m) before the dilation shrinks. HomeRobot has neither of the
-            two, `near_enough` both.
+        patience: what may be added to the goal's distance (m) before the dilation shrinks, tried in this order.
+            HomeRobot has neither of the two, `near_enough` both.
         own_cells: radius (cells) of the disc around the robot that is free because it stands there; `own_disc` has a
             larger one.
         collisions: how blocked motions are remembered.
@@ -111,7 +111,7 @@ class PlannerConfig:
     step_cells: int = 5
     blocked_below: float = 0.8
     tolerance: float = 0.0
-    patience: float = 0.0
+    patience: tuple[float, ...] = ()
     own_cells: int = 1
     collisions: CollisionMemory = PATCH_UNTIL_REPLAN
     felt_at: FeltAt = at_short_term_goal

@@ -103,7 +103,7 @@ class RingPlanner(Planner):
             return free & (to_goal == 0.0)
         places = free & (to_goal < goal.distance) & (to_goal > 0.0)
         if not places.any():
-            places = free & (to_goal < goal.distance + self.config.patience) & (to_goal > 0.0)
+            places = free & (to_goal < goal.distance + max(self.config.patience, default=0.0)) & (to_goal > 0.0)
         return places
 
 
