@@ -7,6 +7,8 @@ A package brings its own by an entry point, in its `pyproject.toml`:
 
 and without installing anything the reference `my_module:Spinner` is a name too. References can be sent to other
 processes, which import them anew.
+
+A name may stand for a `Family` of values, one of which an argument after a colon chooses: `noisy:0.6`.
 """
 
 import logging
@@ -33,8 +35,34 @@ class UnimportableError(InvalidInputError):
 
 
 @dataclass(frozen=True)
+class Family(Generic[T]):
+    """Values under one name that differ by an argument, which is given after a colon.
+
+    Attributes:
+        summary: what the values are, in one line.
+        argument: what the argument is called ("LEVEL").
+        example: one that can be given ("0.5").
+        member: returns the value of an argument; raises InvalidInputError where it is none.
+        default: the argument of the name by itself; None where one must be given.
+    """
+
+    summary: str
+    argument: str
+    example: str
+    member: Callable[[str], T]
+    default: str | None = None
+
+    def choose(self, name: str, argument: str) -> T:
+        """Return the value of `name:argument`; raises InvalidInputError, also where an argument is wanting."""
+        chosen = argument or self.default
+        if chosen is None:
+            raise InvalidInputError(f"'{name}' needs {self.argument} after a colon, such as {name}:{self.example}")
+        return self.member(chosen)
+
+
+@dataclass(frozen=True)
 class _Entry(Generic[T]):
-    value: T
+    value: T | Family[T]
     module: str
 
 
@@ -59,8 +87,8 @@ class Registry(Generic[T]):
         self._check = check
         self._entries: dict[str, _Entry[T]] = {}
 
-    def register(self, name: str, value: T, module: str | None = None) -> T:
-        """Add a value under a name, and return it.
+    def register(self, name: str, value: T | Family[T], module: str | None = None) -> T | Family[T]:
+        """Add a value, or a family of values, under a name, and return it.
 
         Worker processes know only what a module registers when it is imported; give the others by reference.
 
@@ -73,17 +101,25 @@ class Registry(Generic[T]):
             )
         if name in self._entries:
             raise InvalidInputError(f"there is {_article(self.kind)} '{name}' already; choose another name")
-        self._entries[name] = _Entry(self._check(name, value), module or str(getattr(value, "__module__", __name__)))
+        self._entries[name] = self._new_entry(name, value, module or _module_of(value))
         return value
 
     def get(self, name: str) -> T:
-        """Return the value of a name or of a reference "package.module:attribute".
+        """Return the value of a name, of a family's name and argument, or of a reference "package.module:attribute".
 
         Raises:
             UnknownNameError: there is none; the message offers the nearest.
             UnimportableError: its module cannot be imported, or holds nothing of that name.
-            InvalidInputError: what is there is no value of the kind.
+            InvalidInputError: what is there is no value of the kind, or the family has none of that argument.
         """
+        value = self._entry(name).value
+        if isinstance(value, Family):
+            family, _, argument = name.partition(":")
+            return self._check(name, value.choose(family, argument))
+        return value
+
+    def look_up(self, name: str) -> T | Family[T]:
+        """Return what stands under a name: a value, or a family of them. Raises what `get` does."""
         return self._entry(name).value
 
     def names(self) -> tuple[str, ...]:
@@ -104,20 +140,24 @@ class Registry(Generic[T]):
         return "" if top == "uniteam" else _source_digest(top)
 
     def _entry(self, name: str) -> _Entry[T]:
-        if name in self._entries:
-            return self._entries[name]
-        if ":" in name:
+        """Return the entry of a name, with or without an argument, or of a reference; a family goes before a module."""
+        own, colon, _ = name.partition(":")
+        entry = self._entries.get(own)
+        if entry is None and (point := self._brought().get(own)) is not None:
+            entry = self._load(own, point.value)
+        if entry is not None and (not colon or isinstance(entry.value, Family)):
+            return entry
+        if colon:
             return self._load(name, name)
-        brought = self._brought()
-        if name in brought:
-            return self._load(name, brought[name].value)
         raise UnknownNameError(self.kind, name, self.names(), hint="or give one of your own as 'module:attribute'")
 
     def _load(self, name: str, reference: str) -> _Entry[T]:
         module_name, _, attribute = reference.partition(":")
         what = f"{self.kind} '{name}'" if name == reference else f"{self.kind} '{name}' ({reference})"
-        value = _attribute(_module(module_name, what), attribute, what)
-        return _Entry(self._check(name, value), module_name)
+        return self._new_entry(name, _attribute(_module(module_name, what), attribute, what), module_name)
+
+    def _new_entry(self, name: str, value: object, module: str) -> _Entry[T]:
+        return _Entry(value if isinstance(value, Family) else self._check(name, value), module)
 
     def _brought(self) -> Mapping[str, EntryPoint]:
         """Return the entry points of installed packages; a built-in name is not theirs to take."""
@@ -150,6 +190,11 @@ def _attribute(module: object, path: str, what: str) -> object:
             public = ", ".join(n for n in vars(module) if not n.startswith("_"))
             raise UnimportableError(f"{what} names nothing: its module holds {public or 'nothing'}") from error
     return value
+
+
+def _module_of(value: object) -> str:
+    made_by = value.member if isinstance(value, Family) else value
+    return str(getattr(made_by, "__module__", __name__))
 
 
 def _source_of_module(module: str) -> str:

@@ -62,7 +62,7 @@ def evaluate(
         episode_seconds: How long an episode may take; one that takes longer is ended, and fails if it was the agent
             that took so long.
     """
-    _check_at_least_one(episodes=episodes, workers=workers)
+    check_at_least_one(episodes=episodes, workers=workers)
     if not agents:
         raise InvalidInputError("--agents needs at least one name, such as --agents uniteam")
     if not 0.0 < episode_seconds <= LONGEST_EPISODE:
@@ -74,12 +74,12 @@ def evaluate(
         opened = Evaluation(run, out or default_directory(run))
     with opened as evaluation:
         groups = {} if breakdown is None else grouped(evaluation.wanted, breakdown)
-        lost = play_under_bar(evaluation, _worker_count(workers, len(evaluation.remaining)), console)
+        lost = play_under_bar(evaluation, worker_count(workers, len(evaluation.remaining)), console)
         evaluation.write_summary()
         console.print(challenge_table(_rows(evaluation, groups), _caption(evaluation), console.width, shown))
         _report(evaluation, console)
     if lost:
-        raise LostEpisodesError(_lost_sentence(lost, evaluation))
+        raise LostEpisodesError(lost_sentence(lost, evaluation))
 
 
 def default_directory(run: Run) -> Path:
@@ -88,13 +88,13 @@ def default_directory(run: Run) -> Path:
     return Path("runs") / "-".join(words)
 
 
-def _check_at_least_one(**counts: int | None) -> None:
+def check_at_least_one(**counts: int | None) -> None:
     for name, count in counts.items():
         if count is not None and count < 1:
             raise InvalidInputError(f"--{name} must be at least 1, got {count}")
 
 
-def _worker_count(asked: int | None, jobs: int) -> int:
+def worker_count(asked: int | None, jobs: int) -> int:
     """Return how many worker processes to use, and say so where it is fewer than were asked for."""
     room = most_workers()
     count = min(asked or allowed_cores(), room, max(jobs, 1))
@@ -104,7 +104,7 @@ def _worker_count(asked: int | None, jobs: int) -> int:
     return count
 
 
-def _lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
+def lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
     reasons = "; ".join(list(dict.fromkeys(lost))[:3])
     return (
         f"{len(lost)} of the episodes were lost by no fault of the agents ({reasons}); they are not counted, "

@@ -39,6 +39,10 @@ COMMANDS = {
         "play a split's episodes with one or more agents and print the challenge's table",
         "uniteam evaluate --agents baseline uniteam-plus --split minival",
     ),
+    "dial": Command(
+        "play a split at several levels of perception's noise and draw success against noise",
+        "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",
+    ),
     "run": Command(
         "play one episode, narrated, and film it",
         "uniteam run --agent uniteam-plus --split minival --episode 0 --video episode.mp4",
@@ -57,7 +61,7 @@ COMMANDS = {
     "doctor": Command("check that this installation is whole", "uniteam doctor"),
 }
 
-TAKING_NAMES = ("evaluate", "run")
+TAKING_NAMES = ("evaluate", "dial", "run")
 """Commands whose help lists the agents, the perceptions and the improvements."""
 
 USER_ERROR = 2

@@ -5,8 +5,9 @@ from typing import cast
 
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Perception
+from uniteam.mind.perception.noise.noisy import noisy_of
 from uniteam.mind.perception.truth import TruthPerception
-from uniteam.registry import Registry
+from uniteam.registry import Family, Registry
 
 PerceptionFactory = Callable[[], Perception]
 """Builds a perception afresh; often its class."""
@@ -23,6 +24,7 @@ def _checked(name: str, value: object) -> PerceptionFactory:
 
 PERCEPTIONS: Registry[PerceptionFactory] = Registry("perception", "uniteam.perceptions", _checked)
 PERCEPTIONS.register("truth", TruthPerception)
+PERCEPTIONS.register("noisy", Family("the truth with a detector's errors, few to many", "LEVEL", "0.6", noisy_of))
 
 
 def make_perception(name: str) -> Perception:
