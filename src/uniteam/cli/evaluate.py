@@ -7,6 +7,7 @@ import tyro
 from rich.console import Console
 
 import uniteam
+from uniteam.cli.perceptions import as_folder, perception_name
 from uniteam.cli.progress import play_under_bar
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError, UniteamError
@@ -30,6 +31,8 @@ def evaluate(
     agents: tuple[str, ...] = ("baseline", "uniteam", "uniteam-plus"),
     split: str = "minival",
     perception: str = "truth",
+    model: Annotated[str | None, tyro.conf.arg(metavar="ORG/NAME")] = None,
+    revision: Annotated[str | None, tyro.conf.arg(metavar="R")] = None,
     episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     camera: Literal["half", "full"] = "half",
@@ -48,7 +51,10 @@ def evaluate(
     Args:
         agents: Which agents: names, or your own as MODULE:ATTRIBUTE.
         split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
-        perception: What the agents see with: a name, or your own as MODULE:ATTRIBUTE.
+        perception: What the agents see with: a name, NAME:ARGUMENT for one that takes an argument, or your own as
+            MODULE:ATTRIBUTE.
+        model: The weights of a detector: ORG/NAME on the Hugging Face hub, or a folder.
+        revision: Which commit of the model; give it where results are to be repeated.
         episodes: How many episodes, taken from the homes in turn; all by default.
         workers: How many processes; by default as many as there are cores and memory for.
         camera: Images of 240x320 (half) or of 480x640 (full).
@@ -67,6 +73,7 @@ def evaluate(
         raise InvalidInputError("--agents needs at least one name, such as --agents uniteam")
     if not 0.0 < episode_seconds <= LONGEST_EPISODE:
         raise InvalidInputError(f"--episode-seconds must be above 0 and at most a week, got {episode_seconds}")
+    perception = perception_name(perception, model, revision)
     console = make_console()
     with console.status("reading the split and the models"):
         labelled = label_agents(agents, perception, with_, without)
@@ -84,7 +91,7 @@ def evaluate(
 
 def default_directory(run: Run) -> Path:
     """Return the directory of a run that names none."""
-    words = (Path(run.split).name.split(".")[0], run.perception.replace(":", "."), run.camera, run.grasp)
+    words = (Path(run.split).name.split(".")[0], as_folder(run.perception), run.camera, run.grasp)
     return Path("runs") / "-".join(words)
 
 
