@@ -25,6 +25,7 @@ from typing import Generic, TypeVar
 from uniteam.errors import InvalidInputError, UnknownNameError
 
 T = TypeVar("T")
+Member = TypeVar("Member", covariant=True)
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.\-]*")
 _log = logging.getLogger(__name__)
@@ -35,7 +36,7 @@ class UnimportableError(InvalidInputError):
 
 
 @dataclass(frozen=True)
-class Family(Generic[T]):
+class Family(Generic[Member]):
     """Values under one name that differ by an argument, which is given after a colon.
 
     Attributes:
@@ -49,10 +50,10 @@ class Family(Generic[T]):
     summary: str
     argument: str
     example: str
-    member: Callable[[str], T]
+    member: Callable[[str], Member]
     default: str | None = None
 
-    def choose(self, name: str, argument: str) -> T:
+    def choose(self, name: str, argument: str) -> Member:
         """Return the value of `name:argument`; raises InvalidInputError, also where an argument is wanting."""
         chosen = argument or self.default
         if chosen is None:

@@ -5,6 +5,8 @@ from typing import cast
 
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Perception
+from uniteam.mind.perception.detectors.owlv2 import OWLV2
+from uniteam.mind.perception.detectors.remote import REMOTE
 from uniteam.mind.perception.noise.noisy import noisy_of
 from uniteam.mind.perception.truth import TruthPerception
 from uniteam.registry import Family, Registry
@@ -25,6 +27,8 @@ def _checked(name: str, value: object) -> PerceptionFactory:
 PERCEPTIONS: Registry[PerceptionFactory] = Registry("perception", "uniteam.perceptions", _checked)
 PERCEPTIONS.register("truth", TruthPerception)
 PERCEPTIONS.register("noisy", Family("the truth with a detector's errors, few to many", "LEVEL", "0.6", noisy_of))
+PERCEPTIONS.register("owlv2", OWLV2)
+PERCEPTIONS.register("remote", REMOTE)
 
 
 def make_perception(name: str) -> Perception:

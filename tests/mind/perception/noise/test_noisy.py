@@ -168,13 +168,13 @@ def test_a_field_is_standard_normal_at_a_point_and_smooth() -> None:
 
 @pytest.mark.parametrize("argument", ["1.5", "-0.1", "nan", "inf", "high", "0,5", "0.5:1"])
 def test_a_level_that_is_none_is_refused_in_a_sentence(argument: str) -> None:
-    with pytest.raises(InvalidInputError, match="needs a level from 0 .* got '"):
+    with pytest.raises(InvalidInputError, match=r"needs a level from 0 .* got '"):
         make_perception(f"noisy:{argument}")
 
 
 @pytest.mark.parametrize("name", ["noisy", "noisy:"])
 def test_a_missing_level_is_asked_for(name: str) -> None:
-    with pytest.raises(InvalidInputError, match="'noisy' needs LEVEL after a colon, such as noisy:0.6"):
+    with pytest.raises(InvalidInputError, match=r"'noisy' needs LEVEL after a colon, such as noisy:0\.6"):
         make_perception(name)
 
 
