@@ -17,7 +17,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from hashlib import sha256
 from importlib import import_module
-from importlib.metadata import EntryPoint, entry_points
+from importlib.metadata import EntryPoint, PackageNotFoundError, entry_points, version
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Generic, TypeVar
@@ -133,12 +133,16 @@ class Registry(Generic[T]):
         return own | {name: _source_of_entry_point(point) for name, point in self._brought().items()}
 
     def outside_code(self, name: str) -> str:
-        """Return a digest of the source of the package or module that a value comes from; empty for uniteam's own.
+        """Return a digest of the code outside of uniteam that a value is made of; empty where it is uniteam's alone.
 
-        Takes and raises what `get` does.
+        That is the source of the package or module that it comes from, and of what it names in an `outside_modules` of
+        its own, and the versions of the packages that it names in `libraries`. Takes and raises what `get` does.
         """
-        top = self._entry(name).module.partition(".")[0]
-        return "" if top == "uniteam" else _source_digest(top)
+        value, module = self.get(name), self._entry(name).module
+        tops = {each.partition(".")[0] for each in (module, *getattr(value, "outside_modules", ()))} - {"uniteam"}
+        libraries = [f"{library} {_version(library)}" for library in getattr(value, "libraries", ())]
+        parts = [*(_source_digest(top) for top in sorted(tops)), *libraries]
+        return " ".join(parts)
 
     def _entry(self, name: str) -> _Entry[T]:
         """Return the entry of a name, with or without an argument, or of a reference; a family goes before a module."""
@@ -217,6 +221,13 @@ def _source_digest(top: str) -> str:
     for path in files:
         together.update(sha256(path.read_bytes()).digest())
     return together.hexdigest()[:12]
+
+
+def _version(library: str) -> str:
+    try:
+        return version(library)
+    except PackageNotFoundError:
+        return "missing"
 
 
 def _article(noun: str) -> str:

@@ -34,6 +34,8 @@ def examples(registry: Registry[Any]) -> list[str]:
 
 @pytest.mark.parametrize("name", examples(PERCEPTIONS))
 def test_every_perception_passes(name: str) -> None:
+    if name.startswith("recognize-anything"):
+        pytest.skip("it is made of a tagger that is brought; tests/mind/perception/detectors has one")
     try:
         make_perception(name)
     except UnavailableError as missing:

@@ -64,9 +64,17 @@ class DetectorPerception:
 
 @dataclass(frozen=True)
 class DetectorFactory:
-    """Makes perceptions of a detector, which is loaded when the first is made."""
+    """Makes perceptions of a detector.
+
+    Attributes:
+        load: returns the detector; called when a perception is made.
+        libraries: packages whose version results depend on.
+        outside_modules: modules of others whose source they depend on.
+    """
 
     load: Callable[[], Detector]
+    libraries: tuple[str, ...] = ()
+    outside_modules: tuple[str, ...] = ()
 
     def __call__(self) -> DetectorPerception:
         """Return a new perception; raises UnavailableError where a library or the weights are missing."""

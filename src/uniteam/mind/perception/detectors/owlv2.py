@@ -69,7 +69,7 @@ def load_owlv2(weights: Weights) -> Owlv2:
 
 def owlv2_of(argument: str) -> DetectorFactory:
     """Return what makes perceptions of the weights that an argument names; raises InvalidInputError."""
-    return DetectorFactory(partial(load_owlv2, Weights.of(argument)))
+    return DetectorFactory(partial(load_owlv2, Weights.of(argument)), ("torch", "transformers"))
 
 
 OWLV2 = Family("boxes of OWLv2, cut out of the depth", "ORG/NAME@REVISION", DEFAULT, owlv2_of, DEFAULT)

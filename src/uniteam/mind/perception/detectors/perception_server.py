@@ -83,6 +83,10 @@ class PerceptionServer(ThreadingHTTPServer):
         self.sessions = Sessions(perception)
         super().__init__(address, _Handler)
 
+    def handle_error(self, request: object, client_address: object) -> None:
+        """Keep a line where a caller has gone away; UNITEAM_LOG=debug shows it."""
+        _log.debug("the connection of %s broke off", client_address, exc_info=True)
+
     @property
     def url(self) -> str:
         """Where it can be reached."""
