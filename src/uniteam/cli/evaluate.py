@@ -96,6 +96,7 @@ def default_directory(run: Run) -> Path:
 
 
 def check_at_least_one(**counts: int | None) -> None:
+    """Raise InvalidInputError where a count that was given is below 1."""
     for name, count in counts.items():
         if count is not None and count < 1:
             raise InvalidInputError(f"--{name} must be at least 1, got {count}")
@@ -112,6 +113,7 @@ def worker_count(asked: int | None, jobs: int) -> int:
 
 
 def lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
+    """Return what became of the episodes that were lost for these reasons."""
     reasons = "; ".join(list(dict.fromkeys(lost))[:3])
     return (
         f"{len(lost)} of the episodes were lost by no fault of the agents ({reasons}); they are not counted, "

@@ -16,7 +16,7 @@ LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 
 def serve_perception(
-    perception: Annotated[str, tyro.conf.Positional],
+    perception: Annotated[str, tyro.conf.Positional, tyro.conf.arg(metavar="NAME")],
     model: Annotated[str | None, tyro.conf.arg(metavar="ORG/NAME")] = None,
     revision: Annotated[str | None, tyro.conf.arg(metavar="R")] = None,
     host: str = "127.0.0.1",

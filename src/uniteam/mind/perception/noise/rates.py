@@ -31,13 +31,13 @@ class Rates:
         bias: standard deviation of a logit from name to name: the scores' miscalibration.
     """
 
-    missed: float = 0.25
-    missed_small: float = 0.5
-    half_small: float = 250.0
+    missed: float = 0.3
+    missed_small: float = 0.65
+    half_small: float = 350.0
     missed_far: float = 0.35
     half_far: float = 3.0
     lasting: float = 0.6
-    confused: float = 0.2
+    confused: float = 0.28
     floor: float = 0.02
     ragged: float = 3.0
     right_logit: float = 1.2
