@@ -36,15 +36,15 @@ class Sighting:
 def sightings(segmentation: Segmentation, observation: Observation) -> list[Sighting]:
     """Return where each detection of a frame is, in their order; a detection needs a pixel with depth."""
     count, camera = len(segmentation.detections), observation.camera
-    index = segmentation.instances.ravel().astype(np.intp) + 1
-    depth = observation.depth.ravel()
-    rows, columns = np.indices(observation.depth.shape, dtype=np.float32)
-    pixels = np.bincount(index, minlength=count + 1)[1:]
+    rows, columns = np.nonzero(segmentation.instances >= 0)
+    index = segmentation.instances[rows, columns].astype(np.intp)
+    depth = observation.depth[rows, columns].astype(np.float64)
+    pixels = np.bincount(index, minlength=count)
     means = [
-        np.bincount(index, weights, minlength=count + 1)[1:] / np.maximum(pixels, 1)
+        np.bincount(index, weights, minlength=count) / np.maximum(pixels, 1)
         for weights in (
-            depth * ((columns.ravel() - np.float32(camera.cx)) / np.float32(camera.fx)),
-            depth * ((rows.ravel() - np.float32(camera.cy)) / np.float32(camera.fy)),
+            depth * (columns - camera.cx) / camera.fx,
+            depth * (rows - camera.cy) / camera.fy,
             depth,
         )
     ]

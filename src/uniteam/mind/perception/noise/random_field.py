@@ -26,12 +26,14 @@ class RandomField:
             lengths: how far apart two points must be to differ, along each of the K axes, in that axis's unit.
         """
         dice = np.random.default_rng((seed, crc32(name.encode())))
-        self._waves = dice.normal(size=(len(lengths), _WAVES)) / np.asarray(lengths)[:, None]
-        self._phases = dice.uniform(0.0, 2.0 * math.pi, size=_WAVES)
+        waves = dice.normal(size=(len(lengths), _WAVES)) / np.asarray(lengths)[:, None]
+        self._waves = waves.astype(np.float32)
+        self._phases = dice.uniform(0.0, 2.0 * math.pi, size=_WAVES).astype(np.float32)
 
-    def __call__(self, points: NDArray[np.floating]) -> NDArray[np.float64]:
+    def __call__(self, points: NDArray[np.floating]) -> NDArray[np.float32]:
         """Return (...) values at (..., K) points."""
-        return math.sqrt(2.0 / _WAVES) * np.cos(points @ self._waves + self._phases).sum(axis=-1)
+        angles = points.astype(np.float32) @ self._waves + self._phases
+        return np.float32(math.sqrt(2.0 / _WAVES)) * np.cos(angles, out=angles).sum(axis=-1)
 
 
 def as_share(value: float) -> float:
