@@ -22,6 +22,7 @@ from uniteam.mind.perception.noise.noisy import noisy_of
 from uniteam.visualization.captions import MILESTONES
 from uniteam.visualization.picture_file import write_png
 from uniteam.visualization.success_chart import curves_of, draw_success_chart
+from uniteam.world.task.splits import load_split
 
 Measure = Literal[
     "find_object_phase_success",
@@ -68,6 +69,9 @@ def dial(
         raise InvalidInputError("--agents and --levels need at least one each, such as --agents baseline --levels 0 1")
     asked = sorted({float(f"{noisy_of(str(level)).level:g}") for level in levels})
     console = make_console()
+    with console.status("reading the split and the models"):
+        label_agents(agents, "truth")
+        load_split(split)
     directory = out or Path("runs") / f"dial-{Path(split).name.split('.')[0]}-{camera}-{grasp}"
     picture = directory / "dial.png"
     try_output(picture)
