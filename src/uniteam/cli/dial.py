@@ -1,6 +1,7 @@
 """`uniteam dial`: success against the noise of perception."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -50,7 +51,7 @@ def dial(
 
     At level 0 perception is the truth, at level 1 it errs as a published detector does. Each level is a run of its own
     in a folder of DIR, with the perception noisy:LEVEL: stop with Ctrl-C and give the same command again to go on, or
-    give it with other levels or agents to add to what is there.
+    give it with more levels or agents, and what was played is not played again.
 
     Args:
         agents: Which agents: names, or your own as MODULE:ATTRIBUTE.
@@ -80,13 +81,10 @@ def dial(
         console.print(f"Level {level:g} ({number} of {len(asked)})")
         perception = f"noisy:{level:g}"
         run = Run(split, label_agents(agents, perception), perception, camera, grasp, episodes)
-        with Evaluation(run, directory / f"noisy-{level:g}") as evaluation:
-            reasons = play_under_bar(evaluation, worker_count(workers, len(evaluation.remaining)), console)
-            lost += [lost_sentence(reasons, evaluation)] if reasons else []
-            evaluation.write_summary()
-            count = len(evaluation.wanted)
-            for agent, summary in evaluation.summaries().items():
-                figures.setdefault(agent, {})[level] = summary
+        summaries, count, sentence = _played(run, directory / f"noisy-{level:g}", workers, console)
+        lost += filter(None, [sentence])
+        for agent, summary in summaries.items():
+            figures.setdefault(agent, {})[level] = summary
     caption = (
         f"Split {split}, {count} episodes, perception noisy, camera {camera}, grasp {grasp}, "
         f"uniteam {uniteam.__version__}; 95 % intervals."
@@ -96,6 +94,14 @@ def dial(
     console.print(f"Figure: {shown(picture)}; figures: {shown(directory / 'dial.json')}", soft_wrap=True)
     if lost:
         raise LostEpisodesError("; ".join(lost))
+
+
+def _played(run: Run, directory: Path, workers: int | None, console: Console) -> tuple[Mapping[str, Summary], int, str]:
+    """Play what remains of a level; return each agent's figures, of how many episodes, and what became of lost ones."""
+    with Evaluation(run, directory) as evaluation:
+        lost = play_under_bar(evaluation, worker_count(workers, len(evaluation.remaining)), console)
+        evaluation.write_summary()
+        return evaluation.summaries(), len(evaluation.wanted), lost_sentence(lost, evaluation) if lost else ""
 
 
 def _report(figures: Figures, count: int, caption: str, console: Console) -> None:
