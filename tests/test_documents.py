@@ -16,7 +16,7 @@ from worlds.filled import filled
 
 import uniteam
 import uniteam.testing
-from uniteam.cli.main import COMMANDS, _load
+from uniteam.cli.main import COMMANDS, function_of
 from uniteam.evaluation.agent_spec import AGENTS
 from uniteam.evaluation.results.result import EpisodeResult, result_to_line
 from uniteam.mind.agents.beyond import BEYOND
@@ -81,7 +81,7 @@ def command_lines() -> Iterator[tuple[str, str]]:
 def parse(command: str, arguments: list[str]) -> None:
     """Have a command's arguments read, and nothing done; exits where they cannot be."""
 
-    @functools.wraps(getattr(_load(command), command))
+    @functools.wraps(function_of(command))
     def do_nothing(*positional: object, **named: object) -> None:
         pass
 

@@ -37,6 +37,10 @@ class DamagedFileError(UniteamError):
     """A file of the package or of the user that cannot be read as what it should be."""
 
 
+class UnavailableError(UniteamError):
+    """Something outside the package that a run needs is not there: a library, a model's weights, a server."""
+
+
 class InvalidInputError(UniteamError):
     """A value of the wrong shape, type or range."""
 

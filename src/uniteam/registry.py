@@ -7,6 +7,8 @@ A package brings its own by an entry point, in its `pyproject.toml`:
 
 and without installing anything the reference `my_module:Spinner` is a name too. References can be sent to other
 processes, which import them anew.
+
+A name may stand for a `Family` of values, one of which an argument after a colon chooses: `noisy:0.6`.
 """
 
 import logging
@@ -15,7 +17,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from hashlib import sha256
 from importlib import import_module
-from importlib.metadata import EntryPoint, entry_points
+from importlib.metadata import EntryPoint, PackageNotFoundError, entry_points, version
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Generic, TypeVar
@@ -23,6 +25,7 @@ from typing import Generic, TypeVar
 from uniteam.errors import InvalidInputError, UnknownNameError
 
 T = TypeVar("T")
+Member = TypeVar("Member", covariant=True)
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.\-]*")
 _log = logging.getLogger(__name__)
@@ -33,8 +36,34 @@ class UnimportableError(InvalidInputError):
 
 
 @dataclass(frozen=True)
+class Family(Generic[Member]):
+    """Values under one name that differ by an argument, which is given after a colon.
+
+    Attributes:
+        summary: what the values are, in one line.
+        argument: what the argument is called ("LEVEL").
+        example: one that can be given ("0.5").
+        member: returns the value of an argument; raises InvalidInputError where it is none.
+        default: the argument of the name by itself; None where one must be given.
+    """
+
+    summary: str
+    argument: str
+    example: str
+    member: Callable[[str], Member]
+    default: str | None = None
+
+    def choose(self, name: str, argument: str) -> Member:
+        """Return the value of `name:argument`; raises InvalidInputError, also where an argument is wanting."""
+        chosen = argument or self.default
+        if chosen is None:
+            raise InvalidInputError(f"'{name}' needs {self.argument} after a colon, such as {name}:{self.example}")
+        return self.member(chosen)
+
+
+@dataclass(frozen=True)
 class _Entry(Generic[T]):
-    value: T
+    value: T | Family[T]
     module: str
 
 
@@ -59,8 +88,8 @@ class Registry(Generic[T]):
         self._check = check
         self._entries: dict[str, _Entry[T]] = {}
 
-    def register(self, name: str, value: T, module: str | None = None) -> T:
-        """Add a value under a name, and return it.
+    def register(self, name: str, value: T | Family[T], module: str | None = None) -> T | Family[T]:
+        """Add a value, or a family of values, under a name, and return it.
 
         Worker processes know only what a module registers when it is imported; give the others by reference.
 
@@ -73,17 +102,25 @@ class Registry(Generic[T]):
             )
         if name in self._entries:
             raise InvalidInputError(f"there is {_article(self.kind)} '{name}' already; choose another name")
-        self._entries[name] = _Entry(self._check(name, value), module or str(getattr(value, "__module__", __name__)))
+        self._entries[name] = self._new_entry(name, value, module or _module_of(value))
         return value
 
     def get(self, name: str) -> T:
-        """Return the value of a name or of a reference "package.module:attribute".
+        """Return the value of a name, of a family's name and argument, or of a reference "package.module:attribute".
 
         Raises:
             UnknownNameError: there is none; the message offers the nearest.
             UnimportableError: its module cannot be imported, or holds nothing of that name.
-            InvalidInputError: what is there is no value of the kind.
+            InvalidInputError: what is there is no value of the kind, or the family has none of that argument.
         """
+        value = self._entry(name).value
+        if isinstance(value, Family):
+            family, _, argument = name.partition(":")
+            return self._check(name, value.choose(family, argument))
+        return value
+
+    def look_up(self, name: str) -> T | Family[T]:
+        """Return what stands under a name: a value, or a family of them. Raises what `get` does."""
         return self._entry(name).value
 
     def names(self) -> tuple[str, ...]:
@@ -96,28 +133,36 @@ class Registry(Generic[T]):
         return own | {name: _source_of_entry_point(point) for name, point in self._brought().items()}
 
     def outside_code(self, name: str) -> str:
-        """Return a digest of the source of the package or module that a value comes from; empty for uniteam's own.
+        """Return a digest of the code outside of uniteam that a value is made of; empty where it is uniteam's alone.
 
-        Takes and raises what `get` does.
+        That is the source of the package or module that it comes from, and of what it names in an `outside_modules` of
+        its own, and the versions of the packages that it names in `libraries`. Takes and raises what `get` does.
         """
-        top = self._entry(name).module.partition(".")[0]
-        return "" if top == "uniteam" else _source_digest(top)
+        value, module = self.get(name), self._entry(name).module
+        tops = {each.partition(".")[0] for each in (module, *getattr(value, "outside_modules", ()))} - {"uniteam"}
+        libraries = [f"{library} {_version(library)}" for library in getattr(value, "libraries", ())]
+        parts = [*(_source_digest(top) for top in sorted(tops)), *libraries]
+        return " ".join(parts)
 
     def _entry(self, name: str) -> _Entry[T]:
-        if name in self._entries:
-            return self._entries[name]
-        if ":" in name:
+        """Return the entry of a name, with or without an argument, or of a reference; a family goes before a module."""
+        own, colon, _ = name.partition(":")
+        entry = self._entries.get(own)
+        if entry is None and (point := self._brought().get(own)) is not None:
+            entry = self._load(own, point.value)
+        if entry is not None and (not colon or isinstance(entry.value, Family)):
+            return entry
+        if colon:
             return self._load(name, name)
-        brought = self._brought()
-        if name in brought:
-            return self._load(name, brought[name].value)
         raise UnknownNameError(self.kind, name, self.names(), hint="or give one of your own as 'module:attribute'")
 
     def _load(self, name: str, reference: str) -> _Entry[T]:
         module_name, _, attribute = reference.partition(":")
         what = f"{self.kind} '{name}'" if name == reference else f"{self.kind} '{name}' ({reference})"
-        value = _attribute(_module(module_name, what), attribute, what)
-        return _Entry(self._check(name, value), module_name)
+        return self._new_entry(name, _attribute(_module(module_name, what), attribute, what), module_name)
+
+    def _new_entry(self, name: str, value: object, module: str) -> _Entry[T]:
+        return _Entry(value if isinstance(value, Family) else self._check(name, value), module)
 
     def _brought(self) -> Mapping[str, EntryPoint]:
         """Return the entry points of installed packages; a built-in name is not theirs to take."""
@@ -152,6 +197,11 @@ def _attribute(module: object, path: str, what: str) -> object:
     return value
 
 
+def _module_of(value: object) -> str:
+    made_by = value.member if isinstance(value, Family) else value
+    return str(getattr(made_by, "__module__", __name__))
+
+
 def _source_of_module(module: str) -> str:
     return "uniteam" if module.partition(".")[0] == "uniteam" else module
 
@@ -171,6 +221,13 @@ def _source_digest(top: str) -> str:
     for path in files:
         together.update(sha256(path.read_bytes()).digest())
     return together.hexdigest()[:12]
+
+
+def _version(library: str) -> str:
+    try:
+        return version(library)
+    except PackageNotFoundError:
+        return "missing"
 
 
 def _article(noun: str) -> str:

@@ -161,11 +161,14 @@ OPTIONS = [
     "--agents", "--agent", "--split", "--perception", "--episodes", "--episode", "--workers", "--camera", "--out",
     "--with", "--without", "--breakdown", "--style", "--episode-seconds", "--video", "--category", "--sheet",
     "--homes", "--per-home", "--pool", "--nothing", "-v", "--out=", "--video=", "--workers=", "--agents=",
+    "--levels", "--measure", "--model", "--revision", "--host", "--port",
 ]  # fmt: skip
 words = st.one_of(st.sampled_from(NONSENSE), st.sampled_from(OPTIONS), st.text(max_size=6))
 HARMLESS = {
     "evaluate": ["--split", "no_such_split"],
     "run": ["--split", "no_such_split"],
+    "dial": ["--split", "no_such_split"],
+    "serve-perception": ["--port", "70000"],
     "bench": ["--episodes", "0"],
     "home": ["no_seed"],
     "episodes": ["--homes", "none"],

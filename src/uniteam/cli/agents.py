@@ -14,7 +14,7 @@ from uniteam.mind.agents.config import BASELINE, AgentConfig
 from uniteam.mind.agents.improvements import IMPROVEMENTS, improved
 from uniteam.mind.agents.report import REPORT
 from uniteam.mind.perception.registry import PERCEPTIONS
-from uniteam.registry import Registry
+from uniteam.registry import Family, Registry
 from uniteam.world.generation.registry import HOMES
 
 SECTIONS: dict[str, Registry[Any]] = {
@@ -23,6 +23,9 @@ SECTIONS: dict[str, Registry[Any]] = {
     "improvements": IMPROVEMENTS,
     "sources of homes": HOMES,
 }
+
+
+_NAMED = ("agents", "perceptions")
 
 
 def agents() -> None:
@@ -38,14 +41,17 @@ def agents() -> None:
         table.add_column("what it is", overflow="fold")
         table.add_column("from", overflow="fold")
         for name, source in registry.sources().items():
-            table.add_row(f"[bold]{shown(name)}[/]", shown(_summary(registry, name)), f"[dim]{shown(source)}[/]")
+            table.add_row(
+                f"[bold]{shown(_form(registry, name))}[/]", shown(_summary(registry, name)), f"[dim]{shown(source)}[/]"
+            )
         console.print(table)
         console.print()
 
 
 def names_help() -> str:
     """Return the names that the options of `evaluate` and `run` take, for their help."""
-    named = [f"{title.capitalize()}: {', '.join(SECTIONS[title].names())}." for title in ("agents", "perceptions")]
+    forms = {title: (_form(SECTIONS[title], name) for name in SECTIONS[title].names()) for title in _NAMED}
+    named = [f"{title.capitalize()}: {', '.join(own)}." for title, own in forms.items()]
     explained = "\n".join(f"  {name}: {_summary(IMPROVEMENTS, name)}" for name in IMPROVEMENTS.names())
     return "\n\n".join([*named, f"Improvements:\n{explained}"])
 
@@ -53,7 +59,7 @@ def names_help() -> str:
 def _summary(registry: Registry[Any], name: str) -> str:
     """Return what a value is: in its own words, by what it has, or why it cannot be had."""
     try:
-        value = registry.get(name)
+        value = registry.look_up(name)
     except UniteamError as error:
         return f"cannot be used: {error}"
     if isinstance(value, AgentConfig):
@@ -61,6 +67,15 @@ def _summary(registry: Registry[Any], name: str) -> str:
     if isinstance(value, partial):
         return f"{_first_line(value.func)} ({', '.join(f'{key} {word}' for key, word in value.keywords.items())})"
     return str(getattr(value, "summary", None) or _first_line(value))
+
+
+def _form(registry: Registry[Any], name: str) -> str:
+    """Return how a name is given: with what stands for its argument where it takes one."""
+    try:
+        value = registry.look_up(name)
+    except UniteamError:
+        return name
+    return f"{name}:{value.argument}" if isinstance(value, Family) else name
 
 
 def _difference(config: AgentConfig) -> str:

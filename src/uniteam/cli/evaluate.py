@@ -7,6 +7,7 @@ import tyro
 from rich.console import Console
 
 import uniteam
+from uniteam.cli.perceptions import as_folder, perception_name
 from uniteam.cli.progress import play_under_bar
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError, UniteamError
@@ -30,6 +31,8 @@ def evaluate(
     agents: tuple[str, ...] = ("baseline", "uniteam", "uniteam-plus"),
     split: str = "minival",
     perception: str = "truth",
+    model: Annotated[str | None, tyro.conf.arg(metavar="ORG/NAME")] = None,
+    revision: Annotated[str | None, tyro.conf.arg(metavar="R")] = None,
     episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     camera: Literal["half", "full"] = "half",
@@ -48,7 +51,10 @@ def evaluate(
     Args:
         agents: Which agents: names, or your own as MODULE:ATTRIBUTE.
         split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
-        perception: What the agents see with: a name, or your own as MODULE:ATTRIBUTE.
+        perception: What the agents see with: a name, NAME:ARGUMENT for one that takes an argument, or your own as
+            MODULE:ATTRIBUTE.
+        model: The weights of a detector: ORG/NAME on the Hugging Face hub, or a folder.
+        revision: Which commit of the model; give it where results are to be repeated.
         episodes: How many episodes, taken from the homes in turn; all by default.
         workers: How many processes; by default as many as there are cores and memory for.
         camera: Images of 240x320 (half) or of 480x640 (full).
@@ -62,11 +68,12 @@ def evaluate(
         episode_seconds: How long an episode may take; one that takes longer is ended, and fails if it was the agent
             that took so long.
     """
-    _check_at_least_one(episodes=episodes, workers=workers)
+    check_at_least_one(episodes=episodes, workers=workers)
     if not agents:
         raise InvalidInputError("--agents needs at least one name, such as --agents uniteam")
     if not 0.0 < episode_seconds <= LONGEST_EPISODE:
         raise InvalidInputError(f"--episode-seconds must be above 0 and at most a week, got {episode_seconds}")
+    perception = perception_name(perception, model, revision)
     console = make_console()
     with console.status("reading the split and the models"):
         labelled = label_agents(agents, perception, with_, without)
@@ -74,27 +81,28 @@ def evaluate(
         opened = Evaluation(run, out or default_directory(run))
     with opened as evaluation:
         groups = {} if breakdown is None else grouped(evaluation.wanted, breakdown)
-        lost = play_under_bar(evaluation, _worker_count(workers, len(evaluation.remaining)), console)
+        lost = play_under_bar(evaluation, worker_count(workers, len(evaluation.remaining)), console)
         evaluation.write_summary()
         console.print(challenge_table(_rows(evaluation, groups), _caption(evaluation), console.width, shown))
         _report(evaluation, console)
     if lost:
-        raise LostEpisodesError(_lost_sentence(lost, evaluation))
+        raise LostEpisodesError(lost_sentence(lost, evaluation))
 
 
 def default_directory(run: Run) -> Path:
     """Return the directory of a run that names none."""
-    words = (Path(run.split).name.split(".")[0], run.perception.replace(":", "."), run.camera, run.grasp)
+    words = (Path(run.split).name.split(".")[0], as_folder(run.perception), run.camera, run.grasp)
     return Path("runs") / "-".join(words)
 
 
-def _check_at_least_one(**counts: int | None) -> None:
+def check_at_least_one(**counts: int | None) -> None:
+    """Raise InvalidInputError where a count that was given is below 1."""
     for name, count in counts.items():
         if count is not None and count < 1:
             raise InvalidInputError(f"--{name} must be at least 1, got {count}")
 
 
-def _worker_count(asked: int | None, jobs: int) -> int:
+def worker_count(asked: int | None, jobs: int) -> int:
     """Return how many worker processes to use, and say so where it is fewer than were asked for."""
     room = most_workers()
     count = min(asked or allowed_cores(), room, max(jobs, 1))
@@ -104,7 +112,8 @@ def _worker_count(asked: int | None, jobs: int) -> int:
     return count
 
 
-def _lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
+def lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
+    """Return what became of the episodes that were lost for these reasons."""
     reasons = "; ".join(list(dict.fromkeys(lost))[:3])
     return (
         f"{len(lost)} of the episodes were lost by no fault of the agents ({reasons}); they are not counted, "

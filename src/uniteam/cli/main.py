@@ -39,9 +39,16 @@ COMMANDS = {
         "play a split's episodes with one or more agents and print the challenge's table",
         "uniteam evaluate --agents baseline uniteam-plus --split minival",
     ),
+    "dial": Command(
+        "play a split at several levels of perception's noise and draw success against noise",
+        "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",
+    ),
     "run": Command(
         "play one episode, narrated, and film it",
         "uniteam run --agent uniteam-plus --split minival --episode 0 --video episode.mp4",
+    ),
+    "serve-perception": Command(
+        "serve a perception to agents on other machines", "uniteam serve-perception owlv2 --port 8712"
     ),
     "home": Command("generate a home and draw it", "uniteam home 7 --out home_7"),
     "episodes": Command(
@@ -57,7 +64,9 @@ COMMANDS = {
     "doctor": Command("check that this installation is whole", "uniteam doctor"),
 }
 
-TAKING_NAMES = ("evaluate", "run")
+_COLUMN = max(map(len, COMMANDS)) + 2
+
+TAKING_NAMES = ("evaluate", "dial", "run")
 """Commands whose help lists the agents, the perceptions and the improvements."""
 
 USER_ERROR = 2
@@ -141,13 +150,20 @@ def _dispatch(given: list[str]) -> int:
 def _call(name: str, arguments: list[str]) -> int:
     import tyro
 
-    function: Callable[..., None] = getattr(_load(name), name)
+    function = function_of(name)
     summary = cleandoc(function.__doc__ or "").split("\n\nArgs:")[0]
     description = f"{summary}\n\nExample: {COMMANDS[name].example}"
     if name in TAKING_NAMES and {"-h", "--help"} & set(arguments):
         description += f"\n\n{_load('agents').names_help()}"
     tyro.cli(function, prog=f"uniteam {name}", description=description, args=arguments)
     return 0
+
+
+def function_of(name: str) -> Callable[..., None]:
+    """Return the function that a command calls; its module, and what that needs, are imported."""
+    name = name.replace("-", "_")
+    function: Callable[..., None] = getattr(_load(name), name)
+    return function
 
 
 def _load(name: str) -> ModuleType:
@@ -172,8 +188,8 @@ def _print_overview(console: Console) -> None:
     console.print(f"[bold]uniteam[/] {__version__}: simulated homes, a Stretch robot, and agents that tidy up.\n")
     console.print("Usage: uniteam COMMAND [OPTIONS]; 'uniteam COMMAND --help' explains the options.\n")
     for name, command in COMMANDS.items():
-        console.print(f"  [bold]{name:<10}[/]{command.purpose}", soft_wrap=True)
-        console.print(f"  {'':<10}[dim]{command.example}[/]", soft_wrap=True)
+        console.print(f"  [bold]{name:<{_COLUMN}}[/]{command.purpose}", soft_wrap=True)
+        console.print(f"  {'':<{_COLUMN}}[dim]{command.example}[/]", soft_wrap=True)
     console.print("\nBegin with [bold]uniteam evaluate[/]: ten episodes, three agents, one table.")
 
 

@@ -10,6 +10,7 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
+from uniteam.cli.perceptions import perception_name
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.agent_spec import label_agents
@@ -32,6 +33,8 @@ def run(
     episode: int = 0,
     video: Annotated[Path | None, tyro.conf.arg(metavar="FILE.mp4")] = None,
     perception: str = "truth",
+    model: Annotated[str | None, tyro.conf.arg(metavar="ORG/NAME")] = None,
+    revision: Annotated[str | None, tyro.conf.arg(metavar="R")] = None,
     camera: Literal["half", "full"] = "half",
     grasp: Literal["challenge", "honest"] = "challenge",
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
@@ -44,13 +47,17 @@ def run(
         split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
         episode: Which episode of the split, counted from 0.
         video: An .mp4 file to film it into.
-        perception: What the agent sees with: a name, or your own as MODULE:ATTRIBUTE.
+        perception: What the agent sees with: a name, NAME:ARGUMENT for one that takes an argument, or your own as
+            MODULE:ATTRIBUTE.
+        model: The weights of a detector: ORG/NAME on the Hugging Face hub, or a folder.
+        revision: Which commit of the model; give it where results are to be repeated.
         camera: Images of 240x320 (half) or of 480x640 (full).
         grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
             points at (honest).
         with_: Improvements to add if the agent lacks them, names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agent, by name.
     """
+    perception = perception_name(perception, model, revision)
     console = make_console()
     ((label, spec),) = label_agents((agent,), perception, with_, without).items()
     episodes = load_split(split)

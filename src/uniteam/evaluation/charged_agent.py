@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TypeVar
 
-from uniteam.errors import InvalidInputError
+from uniteam.errors import InvalidInputError, UnavailableError
 from uniteam.evaluation.backends.serving import Charging
 from uniteam.interface import Agent, Decision, Instruction, Observation
 
@@ -46,7 +46,7 @@ class ChargedAgent:
         with self._charging():
             try:
                 return call()
-            except MemoryError:  # the machine's, not the agent's
+            except (MemoryError, UnavailableError):  # the machine's or the installation's fault, not the agent's
                 raise
             except (Exception, SystemExit) as error:
                 raise AgentError(self._steps) from error

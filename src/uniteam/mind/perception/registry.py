@@ -5,8 +5,15 @@ from typing import cast
 
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Perception
+from uniteam.mind.perception.detectors.detic import DETIC
+from uniteam.mind.perception.detectors.grounded_sam import GROUNDED_SAM
+from uniteam.mind.perception.detectors.owlv2 import OWLV2
+from uniteam.mind.perception.detectors.recognize_anything import recognize_anything
+from uniteam.mind.perception.detectors.remote import REMOTE
+from uniteam.mind.perception.detectors.yoloe import YOLOE
+from uniteam.mind.perception.noise.noisy import noisy_of
 from uniteam.mind.perception.truth import TruthPerception
-from uniteam.registry import Registry
+from uniteam.registry import Family, Registry
 
 PerceptionFactory = Callable[[], Perception]
 """Builds a perception afresh; often its class."""
@@ -23,6 +30,13 @@ def _checked(name: str, value: object) -> PerceptionFactory:
 
 PERCEPTIONS: Registry[PerceptionFactory] = Registry("perception", "uniteam.perceptions", _checked)
 PERCEPTIONS.register("truth", TruthPerception)
+PERCEPTIONS.register("noisy", Family("the truth with a detector's errors, few to many", "LEVEL", "0.6", noisy_of))
+PERCEPTIONS.register("owlv2", OWLV2)
+PERCEPTIONS.register("grounded-sam", GROUNDED_SAM)
+PERCEPTIONS.register("detic", DETIC)
+PERCEPTIONS.register("yoloe", YOLOE)
+PERCEPTIONS.register("recognize-anything", recognize_anything(PERCEPTIONS.get))
+PERCEPTIONS.register("remote", REMOTE)
 
 
 def make_perception(name: str) -> Perception:
