@@ -1,6 +1,6 @@
 """A chart of success against noise: a line an agent, with the 95 % interval of each point."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -84,8 +84,3 @@ def _draw_curve(canvas: Image, curve: Curve, color: Color, shift: int) -> None:
 def _at(level: float, share: float) -> tuple[int, int]:
     """Return the pixel (x, y) of a level and a share, both in [0, 1]."""
     return round(_PLOT.left + level * _PLOT.width), round(_PLOT.top + (1.0 - share) * _PLOT.height)
-
-
-def curves_of(estimates: Mapping[str, Mapping[float, Estimate]]) -> list[Curve]:
-    """Return a curve for each label, of what it has at each level."""
-    return [Curve(label, sorted(by_level.items())) for label, by_level in estimates.items()]
