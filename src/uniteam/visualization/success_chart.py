@@ -46,9 +46,9 @@ def draw_success_chart(title: str, curves: Sequence[Curve], caption: str) -> Ima
         shift = 7 * number - 7 * (len(curves) - 1) // 2  # whiskers of one level stand beside each other
         color = LINE_COLORS[number % len(LINE_COLORS)]
         _draw_curve(canvas, curve, color, shift)
-        top = _PLOT.top + 20 + 34 * number
+        top = _PLOT.top + 20 + 52 * number
         cv2.line(canvas, (_LEGEND_LEFT, top), (_LEGEND_LEFT + 30, top), color, 3, cv2.LINE_AA)
-        write_wrapped(canvas, curve.label, Area(_LEGEND_LEFT + 42, top - 12, WIDTH - _LEGEND_LEFT - 52, 34))
+        write_wrapped(canvas, curve.label, Area(_LEGEND_LEFT + 42, top - 12, WIDTH - _LEGEND_LEFT - 52, 44))
     write_wrapped(canvas, caption, Area(_PLOT.left, HEIGHT - 52, WIDTH - 2 * _PLOT.left, 44), _SMALL)
     return canvas
 
@@ -64,7 +64,7 @@ def _draw_axes(canvas: Image) -> None:
         cv2.line(canvas, (x, y), (x, y + 6), FAINT_TEXT, 1)
         text = f"{quarter / 4.0:g}"
         write(canvas, text, x - text_width(text, _SMALL) // 2, y + 24, _SMALL)
-    words = "noise of perception: 0 = truth, 1 = a published detector"
+    words = "noise of perception: 0 = truth, 1 = about a published detector's"
     x, y = _at(0.5, 0.0)
     write(canvas, words, x - text_width(words, _SMALL) // 2, y + 48, TextStyle(15, TEXT))
 
