@@ -62,9 +62,9 @@ def dial(
 ) -> None:
     """Play a split at several levels of perception's noise, print the table, and draw success against noise.
 
-    At level 0 perception is the truth, at level 1 it errs about as a published detector does. Each level is a run of its own
-    in a folder of DIR, with the perception noisy:LEVEL: stop with Ctrl-C and give the same command again to go on, or
-    give it with more levels or agents, and what was played is not played again.
+    At level 0 perception is the truth, at level 1 it errs about as a published detector does. Each level is a run of
+    its own in a folder of DIR, with the perception noisy:LEVEL: stop with Ctrl-C and give the same command again to go
+    on, or give it with more levels or agents, and what was played is not played again.
 
     Args:
         agents: Which agents: names, or your own as MODULE:ATTRIBUTE.
