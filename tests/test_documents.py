@@ -89,7 +89,7 @@ def parse(command: str, arguments: list[str]) -> None:
 
 
 REGISTRY_OF: dict[str, Registry[Any]] = {"agents": AGENTS, "agent": AGENTS, "perception": PERCEPTIONS, "source": HOMES}
-REGISTRY_OF |= {"with": IMPROVEMENTS, "without": IMPROVEMENTS}
+REGISTRY_OF |= {"beside": PERCEPTIONS, "with": IMPROVEMENTS, "without": IMPROVEMENTS}
 
 
 @pytest.mark.parametrize("line", sorted({line for _, line in command_lines()}))

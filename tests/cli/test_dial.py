@@ -39,12 +39,13 @@ def test_a_split_is_played_at_each_level_and_drawn_and_goes_on_with_more(
     given = ("dial", "--split", str(one_episode), "--agents", "random", "--workers", "1", "--out", str(tmp_path))
     assert call(*given, "--levels", "1", "0") == 0
     shown = capsys.readouterr().out
-    assert "Level 0 (1 of 2)" in shown and "random, noise 0" in shown
-    assert call(*given, "--levels", "0", "0.5", "1", "0.5") == 0
+    assert "Perception noisy:0 (1 of 2)" in shown and "random, noisy:0" in shown
+    assert call(*given, "--levels", "0", "0.5", "1", "0.5", "--beside", "truth") == 0
     shown = capsys.readouterr().out
     assert shown.count("1 of 1 episodes were played before") == 2
-    points = json.loads((tmp_path / "dial.json").read_text())["agents"]["random"]
-    assert [point["level"] for point in points] == [0.0, 0.5, 1.0]
+    points = json.loads((tmp_path / "dial.json").read_text())["points"]
+    assert [point["level"] for point in points] == [0.0, 0.5, 1.0, None]
+    assert {point["agent"] for point in points} == {"random"} and points[-1]["perception"] == "truth"
     assert all(point["episode_count"] == 1 for point in points)
     picture = cv2.imread(str(tmp_path / "dial.png"))
     assert picture is not None and picture.shape == (HEIGHT, WIDTH, 3)
@@ -58,6 +59,7 @@ def test_a_split_is_played_at_each_level_and_drawn_and_goes_on_with_more(
         (("--levels",), "--agents and --levels need at least one each"),
         (("--agents",), "--agents and --levels need at least one each"),
         (("--agents", "baselin"), "did you mean 'baseline'"),
+        (("--beside", "thruth"), "did you mean 'truth'"),
         (("--episodes", "0"), "--episodes must be at least 1"),
     ],
 )

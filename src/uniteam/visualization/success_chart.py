@@ -1,6 +1,6 @@
 """A chart of success against noise: a line an agent, with the 95 % interval of each point."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -46,9 +46,9 @@ def draw_success_chart(title: str, curves: Sequence[Curve], caption: str) -> Ima
         shift = 7 * number - 7 * (len(curves) - 1) // 2  # whiskers of one level stand beside each other
         color = LINE_COLORS[number % len(LINE_COLORS)]
         _draw_curve(canvas, curve, color, shift)
-        top = _PLOT.top + 20 + 34 * number
+        top = _PLOT.top + 20 + 52 * number
         cv2.line(canvas, (_LEGEND_LEFT, top), (_LEGEND_LEFT + 30, top), color, 3, cv2.LINE_AA)
-        write_wrapped(canvas, curve.label, Area(_LEGEND_LEFT + 42, top - 12, WIDTH - _LEGEND_LEFT - 52, 34))
+        write_wrapped(canvas, curve.label, Area(_LEGEND_LEFT + 42, top - 12, WIDTH - _LEGEND_LEFT - 52, 44))
     write_wrapped(canvas, caption, Area(_PLOT.left, HEIGHT - 52, WIDTH - 2 * _PLOT.left, 44), _SMALL)
     return canvas
 
@@ -64,7 +64,7 @@ def _draw_axes(canvas: Image) -> None:
         cv2.line(canvas, (x, y), (x, y + 6), FAINT_TEXT, 1)
         text = f"{quarter / 4.0:g}"
         write(canvas, text, x - text_width(text, _SMALL) // 2, y + 24, _SMALL)
-    words = "noise of perception: 0 = truth, 1 = a published detector"
+    words = "noise of perception: 0 = truth, 1 = about a published detector's"
     x, y = _at(0.5, 0.0)
     write(canvas, words, x - text_width(words, _SMALL) // 2, y + 48, TextStyle(15, TEXT))
 
@@ -84,8 +84,3 @@ def _draw_curve(canvas: Image, curve: Curve, color: Color, shift: int) -> None:
 def _at(level: float, share: float) -> tuple[int, int]:
     """Return the pixel (x, y) of a level and a share, both in [0, 1]."""
     return round(_PLOT.left + level * _PLOT.width), round(_PLOT.top + (1.0 - share) * _PLOT.height)
-
-
-def curves_of(estimates: Mapping[str, Mapping[float, Estimate]]) -> list[Curve]:
-    """Return a curve for each label, of what it has at each level."""
-    return [Curve(label, sorted(by_level.items())) for label, by_level in estimates.items()]

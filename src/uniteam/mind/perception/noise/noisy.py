@@ -51,7 +51,7 @@ def noisy_of(argument: str) -> Noisy:
         level = math.nan
     if not 0.0 <= level <= 1.0:
         raise InvalidInputError(
-            f"perception 'noisy' needs a level from 0 (sees as 'truth' does) to 1 (errs as a published detector does), "
+            f"perception 'noisy' needs a level from 0 (the truth) to 1 (about a published detector's errors), "
             f"got '{argument}'; give one such as noisy:0.6"
         )
     return Noisy(level)

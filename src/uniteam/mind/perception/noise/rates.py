@@ -53,7 +53,7 @@ class Rates:
 
 
 DETECTOR = Rates()
-"""Level 1: calibrated so that the baseline loses by it what HomeRobot's lost by Detic (docs/dial.md)."""
+"""Level 1: set so that the baseline loses by it about what HomeRobot's lost by Detic; docs/dial.md says how nearly."""
 
 
 def _rising(value: float, half: float) -> float:
