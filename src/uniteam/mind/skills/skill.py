@@ -33,11 +33,24 @@ SMALLEST_DRIVE = ACTION_LIMITS.least_move
 LONGEST_DRIVE = ACTION_LIMITS.most_move
 """m."""
 _JOINT_TOLERANCE = 1e-3
+_HEADING_TOLERANCE = 5e-3
+"""rad."""
 
 
 def turn(heading: float, reason: str) -> Move:
     """Return the move that turns the base by `heading` (rad, left-positive)."""
     return Move(BaseDisplacement(heading=heading), reason)
+
+
+def turn_exactly(view: View, heading: float, reason: str) -> Skill[View]:
+    """Turn the base by `heading` (rad, left-positive): where it makes no turn so small, by more and then back."""
+    if abs(heading) >= SMALLEST_TURN:
+        return (yield turn(heading, reason))
+    if abs(heading) > _HEADING_TOLERANCE:
+        beyond = math.copysign(2.0 * SMALLEST_TURN, heading)
+        yield turn(heading + beyond, f"{reason[:-1]}, and beyond it.")
+        view = yield turn(-beyond, "I turn back to it.")
+    return view
 
 
 def drive(distance: float, reason: str) -> Move:

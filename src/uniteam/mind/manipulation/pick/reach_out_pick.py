@@ -1,6 +1,7 @@
 """Reaching out at the pick: what to do when the object is in view but beyond the gripper's reach (`reach_out_pick`)."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import product
 
@@ -43,7 +44,7 @@ class ReachOut:
     reach: float = GRASP_RANGE - 0.06
     approaches: int = 3
     extensions: tuple[float, ...] = (0.1, 0.2, 0.3, 0.4, 0.52)
-    heights: tuple[float, ...] = (0.06, 0.16, 0.3)
+    heights: tuple[float, ...] = (0.06, 0.16, 0.3, 0.5, 0.8)
     sweep: SweepConfig = field(default_factory=SweepConfig)
 
     def __call__(self, view: View) -> Skill[View]:
@@ -59,27 +60,30 @@ class ReachOut:
         return (yield from self._reach_out(view))
 
     def _reach_out(self, view: View) -> Skill[View]:
-        """Extend the arm over what is in between, as little as brings the object within reach and touches nothing."""
+        """Extend the arm over what is in between, as little as brings the object within reach and touches nothing.
+
+        Where the arm gets there freely, but not back with the object, it goes all the same: what brushes something then
+        is the object.
+        """
         if self._shortfall(view) <= 0.0:
             return view
-        joints, load, points = view.observation.joints, load_seen(view), object_points(view)
-        reach = ArmReach.of_wrist(joints.wrist_pitch)
-        surroundings = view.surroundings()
+        surroundings, points, load = view.surroundings(), object_points(view), load_seen(view)
         everything = np.concatenate([surroundings, points])
-        for arm, above in product(self.extensions, self.heights):
-            height = float(points[:, 2].max()) + above
-            end = replace(joints, lift=reach.lift_for(height), arm=arm)
-            path = ArmPath((replace(joints, lift=end.lift), end))
-            if _distance(view, end) > self.reach:
-                continue
-            is_way_free = is_path_free(path, everything, EMPTY_GRIPPER, self.sweep)
-            if is_way_free and is_path_free(path, surroundings, load, self.sweep):
-                for station in path.stations:
-                    view = yield from move_joints(
-                        view, station, "The object is beyond reach, so I extend the arm over it."
-                    )
-                break
+        free = [path for path in self._paths(view) if is_path_free(path, everything, EMPTY_GRIPPER, self.sweep)]
+        with_it = (path for path in free if is_path_free(path, surroundings, load, self.sweep))
+        chosen = next(with_it, free[0] if free else None)
+        for station in chosen.stations if chosen else ():
+            view = yield from move_joints(view, station, "The object is beyond reach, so I extend the arm over it.")
         return view
+
+    def _paths(self, view: View) -> Iterator[ArmPath]:
+        """Yield the ways to bring the gripper within reach, the best first."""
+        joints = view.observation.joints
+        reach, top = ArmReach.of_wrist(joints.wrist_pitch), float(object_points(view)[:, 2].max())
+        for arm, above in product(self.extensions, self.heights):
+            end = replace(joints, lift=reach.lift_for(top + above), arm=arm)
+            if _distance(view, end) <= self.reach:
+                yield ArmPath((replace(joints, lift=end.lift), end))
 
     def _drive_closer(self, view: View) -> Skill[View]:
         """Turn to the object, drive towards it and point the arm at it again."""

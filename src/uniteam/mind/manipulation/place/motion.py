@@ -145,9 +145,8 @@ class ExactMotion:
         return chosen
 
     def line_up(self, angle: float) -> float | None:
-        """Return the turn that the base can make and that is nearest to `angle`; None where it is too wide."""
-        made = _possible_turn(angle)
-        return None if abs(made) > self.widest else made
+        """Return the turn itself; None where it is too wide."""
+        return None if abs(angle) > self.widest else angle
 
 
 def _from_camera(view: View, point: Point) -> tuple[float, float]:
@@ -159,10 +158,3 @@ def _from_camera(view: View, point: Point) -> tuple[float, float]:
 
 def _whole_turns(angles: NDArray[np.floating]) -> NDArray[np.floating]:
     return np.rint(angles / ACTION_LIMITS.turn_step) * ACTION_LIMITS.turn_step
-
-
-def _possible_turn(angle: float) -> float:
-    """Return the turn that the base can make and that is nearest to `angle` (rad)."""
-    if abs(angle) >= SMALLEST_TURN:
-        return angle
-    return 0.0 if abs(angle) < SMALLEST_TURN / 2 else math.copysign(SMALLEST_TURN, angle)

@@ -16,7 +16,7 @@ from uniteam.mind.manipulation.place.motion import Motion, WholeSteps
 from uniteam.mind.manipulation.place.placing_points import ChoosePoints, PlacingPoints
 from uniteam.mind.manipulation.place.receptacle_mask import inside_of_mask
 from uniteam.mind.manipulation.place.withdraw import lift_and_retract
-from uniteam.mind.skills.skill import Skill, discrete, turn
+from uniteam.mind.skills.skill import Skill, discrete, turn_exactly
 from uniteam.mind.skills.view import Points, View
 from uniteam.stretch import looks_along_arm
 
@@ -164,9 +164,7 @@ def place(view: View, context: PlaceContext, config: PlaceConfig, is_last: bool)
         return PlaceResult(released=False)
     if aim is None:
         aim = yield from config.fall_back(view if stand is None else stand.view, stand, context)
-    view = aim.view
-    if aim.turn != 0.0:
-        view = yield turn(aim.turn, "I turn so that the arm's line meets the placing point.")
+    view = yield from turn_exactly(aim.view, aim.turn, "I turn so that the arm's line meets the placing point.")
     view = yield from follow(view, aim.path)
     view = yield from let_go(view)
     view = yield from config.withdraw(view)

@@ -1,5 +1,6 @@
 """Looking where the object is after the release (`verify_place`): it may have slid off, or lie on another thing."""
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,7 +10,7 @@ from uniteam.geometry import transform_points
 from uniteam.mind.manipulation.arm_path import TOP
 from uniteam.mind.manipulation.place.after_release import Lying, wait_for_rest
 from uniteam.mind.perception.vocabulary import ClassRole
-from uniteam.mind.skills.skill import Skill, move_joints
+from uniteam.mind.skills.skill import Skill, move_joints, turn_exactly
 from uniteam.mind.skills.view import Points, View
 from uniteam.stretch import gripper_to_base
 
@@ -60,21 +61,33 @@ class WatchRest:
 class LookWhereItLies:
     """Takes the object for placed where it is seen on the goal receptacle, and where it is not seen at all.
 
+    Once the arm is out of the picture, the robot looks for it on the floor and beyond, then to either side.
+
     Attributes:
         beside: receptacle points so near to the object's, from above, are below it (m).
         below: so much lower than its lowest point they may be, or higher, as in a basin (m).
         raise_by: how far the arm is lifted before it is taken back (m).
+        gazes: turns of the base and tilts of the head (rad), tried in this order where it is not in view.
     """
 
     beside: float = 0.08
     below: float = 0.05
     raise_by: float = RAISE_BY
+    gazes: tuple[tuple[float, float], ...] = tuple(
+        (math.radians(turned), math.radians(tilt)) for turned, tilt in ((0, -68), (0, -22), (35, -60), (-70, -60))
+    )
 
     def __call__(self, view: View) -> Skill[Lying | None]:
         """Answer with where the object lies; None where it is as it should be, or not known."""
         if self._is_placed(view):
             return None
         view = yield from take_arm_back(view, self.raise_by)
+        for turned, tilt in self.gazes:
+            if len(_dropped_points(view)):
+                break
+            view = yield from turn_exactly(view, turned, "I do not see it, so I look beside the arm.")
+            looking = replace(view.observation.joints, head_tilt=tilt)
+            view = yield from move_joints(view, looking, "I do not see it, so I look higher or lower.")
         points = _dropped_points(view)
         if len(points) == 0 or self._is_placed(view):
             return None
