@@ -5,6 +5,7 @@ from typing import cast
 
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Perception
+from uniteam.mind.perception.detectors.learned import LearnedPerception
 from uniteam.mind.perception.truth import TruthPerception
 from uniteam.registry import Registry
 
@@ -23,6 +24,7 @@ def _checked(name: str, value: object) -> PerceptionFactory:
 
 PERCEPTIONS: Registry[PerceptionFactory] = Registry("perception", "uniteam.perceptions", _checked)
 PERCEPTIONS.register("truth", TruthPerception)
+PERCEPTIONS.register("learned", LearnedPerception)
 
 
 def make_perception(name: str) -> Perception:
