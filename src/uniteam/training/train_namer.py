@@ -27,7 +27,7 @@ def train_namer(views: Path, plan: Plan, on_step: Callable[[int, float], None]) 
     Raises:
         InvalidInputError: there are no crops in the folder.
     """
-    training_crops, held_out = divided(read_crops(sorted(views.glob("crops-*.msgpack"))))
+    training_crops, held_out = divided(read_crops(crop_files(views)))
     if not training_crops:
         raise InvalidInputError(f"'{views}' holds no crops; make them with: uniteam train namer --homes 200")
     names = training_names(training_crops)
@@ -36,7 +36,7 @@ def train_namer(views: Path, plan: Plan, on_step: Callable[[int, float], None]) 
     sampler, vectors = CropSampler(training_crops, names), name_vectors(names).to(device)
     batches = prefetched(lambda step: sampler.batch(BATCH, np.random.default_rng([1, step])), training.step)
     generator = torch.Generator().manual_seed(training.step)
-    validated = _sample(held_out, names)
+    validated = validated_crops(held_out, names)
 
     def loss_of(model: nn.Module, step: int) -> torch.Tensor:
         assert isinstance(model, Namer)
@@ -44,6 +44,11 @@ def train_namer(views: Path, plan: Plan, on_step: Callable[[int, float], None]) 
 
     training.run(loss_of, lambda model: figures(model, validated, names), on_step)
     return training.average
+
+
+def crop_files(views: Path) -> list[Path]:
+    """Return the files of crops of a folder, those of proposals last."""
+    return [*sorted(views.glob("crops-*.msgpack")), *sorted(views.glob("proposals-*.msgpack"))]
 
 
 def divided(crops: Sequence[CropRecord]) -> tuple[list[CropRecord], list[CropRecord]]:
@@ -58,6 +63,11 @@ def divided(crops: Sequence[CropRecord]) -> tuple[list[CropRecord], list[CropRec
 def training_names(crops: Sequence[CropRecord]) -> list[str]:
     """Return the names that crops bear, sorted."""
     return sorted({c.thing.category for c in crops if c.thing is not None and c.thing.role != "door"})
+
+
+def names_of_role(crops: Sequence[CropRecord], role: str) -> list[str]:
+    """Return the names that things of a role bear, sorted."""
+    return sorted({c.thing.category for c in crops if c.thing is not None and c.thing.role == role})
 
 
 def figures(model: nn.Module, crops: Sequence[CropRecord], names: Sequence[str]) -> Mapping[str, float]:
@@ -102,7 +112,8 @@ def embeddings(
     return np.concatenate(vectors), np.concatenate(junk)
 
 
-def _sample(crops: list[CropRecord], names: Sequence[str]) -> list[CropRecord]:
+def validated_crops(crops: Sequence[CropRecord], names: Sequence[str]) -> list[CropRecord]:
+    """Return those of some crops that training is judged by, the same each time."""
     known = [c for c in crops if c.thing is None or c.thing.category in names]
     order = np.random.default_rng(0).permutation(len(known))[:_VALIDATED]
     return [known[i] for i in order]

@@ -34,7 +34,7 @@ def train_segmenter(views: Path, plan: Plan, on_step: Callable[[int, float], Non
             f"'{views}' holds the frames of {len(paths)} homes, more than {VALIDATED_HOMES} are needed; "
             "make them with: uniteam train segmenter --homes 200"
         )
-    validated = FrameSampler(paths[:VALIDATED_HOMES], RECEPTACLE_CATEGORIES)
+    validated = validated_frames(views)
     sampler = FrameSampler(paths[VALIDATED_HOMES:], RECEPTACLE_CATEGORIES)
     device = best_device()
     training = Training(Segmenter(len(RECEPTACLE_CATEGORIES)), plan, device)
@@ -45,6 +45,11 @@ def train_segmenter(views: Path, plan: Plan, on_step: Callable[[int, float], Non
 
     training.run(loss_of, lambda model: figures(model, validated), on_step)
     return training.average
+
+
+def validated_frames(views: Path) -> FrameSampler:
+    """Return the frames that training is judged by."""
+    return FrameSampler(sorted(views.glob("frames-*.msgpack"))[:VALIDATED_HOMES], RECEPTACLE_CATEGORIES)
 
 
 def figures(model: nn.Module, frames: FrameSampler) -> Mapping[str, float]:

@@ -55,15 +55,27 @@ class Eyes:
     def look(self, observation: Observation) -> list[Glimpse]:
         """Return what may be things in an observation."""
         frame, to_start = half_frame(observation), observation.camera_to_start
-        geometry = geometry_image(frame.depth, frame.camera, to_start)
-        logits = self._segmenter(as_input(frame.rgb[None]), geometry[None])[0][0]
-        regions = find_regions(logits, frame.depth)
+        return self.name(_segmented(self._segmenter, frame, to_start), frame, to_start)
+
+    def name(self, regions: list[Region], frame: HalfFrame, camera_to_start: NDArray[np.float64]) -> list[Glimpse]:
+        """Return what the namer makes of regions of a frame."""
         if not regions:
             return []
         crops = np.stack([region_crop(frame.fine_rgb, region.mask) for region in regions])
-        shapes = np.stack([region_shape(region.mask, frame.depth, frame.camera, to_start) for region in regions])
+        shapes = np.stack([region_shape(region.mask, frame.depth, frame.camera, camera_to_start) for region in regions])
         vectors, junk = self._namer(as_input(crops), shapes)
         return [Glimpse(r, v, float(j)) for r, v, j in zip(regions, vectors, junk, strict=True)]
+
+
+def segmented(segmenter: Network, observation: Observation) -> list[Region]:
+    """Return the regions that a segmenter finds in an observation, before any of them is named."""
+    return _segmented(segmenter, half_frame(observation), observation.camera_to_start)
+
+
+def _segmented(segmenter: Network, frame: HalfFrame, camera_to_start: NDArray[np.float64]) -> list[Region]:
+    geometry = geometry_image(frame.depth, frame.camera, camera_to_start)
+    logits = segmenter(as_input(frame.rgb[None]), geometry[None])[0][0]
+    return find_regions(logits, frame.depth)
 
 
 def half_frame(observation: Observation) -> HalfFrame:
