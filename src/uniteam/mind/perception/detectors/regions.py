@@ -19,7 +19,7 @@ DEPTH_STEP = 0.05
 """Share of the depth by which neighbouring pixels of two things differ."""
 ENDS_AT = 0.5
 """Probability from which on a thing ends in a cell."""
-_RIM = 2
+_RIM = 6
 """Pixels at a region's rim that cutting took, and that are given back."""
 
 
@@ -53,7 +53,8 @@ def find_regions(logits: NDArray[np.float32], depth: NDArray[np.float32]) -> lis
     kinds = fine[:count].argmax(axis=0)
     chances = _softmax(logits[:count])
     names = np.log(_softmax(logits[count + 1 :]) + 1e-6)
-    is_inside = (fine[count] < np.log(ENDS_AT / (1.0 - ENDS_AT))) & ~_steps(depth)
+    ends = (fine[count] > np.log(ENDS_AT / (1.0 - ENDS_AT))).astype(np.uint8)
+    is_inside = (cv2.dilate(ends, np.ones((3, 3), np.uint8)) == 0) & ~_steps(depth)
     regions = []
     for kind in (Kind.OBJECT, Kind.RECEPTACLE):
         near = depth <= FARTHEST[kind]
