@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from uniteam.errors import UnknownNameError
+from uniteam.mind.perception.words import encoder
 from uniteam.mind.perception.words.meaning import DIMENSIONS, Words, load_words, plain_words
 from uniteam.world.assets.catalogue import load_catalogue
 
@@ -46,7 +47,8 @@ def test_vectors_are_of_unit_length_and_near_where_the_meaning_is() -> None:
     assert cup @ glass > cup @ hammer + 0.1
 
 
-def test_an_unknown_word_is_refused_unless_an_encoder_reads_it() -> None:
+def test_an_unknown_word_is_refused_unless_an_encoder_reads_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(encoder, "find_spec", lambda name: None)
     with pytest.raises(UnknownNameError, match=r"zzyzx.*uniteam\[words\]"):
         load_words().meaning("zzyzx qwghlm")
     vector = np.eye(DIMENSIONS, dtype=np.float32)[0]
@@ -60,3 +62,21 @@ def test_an_exact_name_goes_before_another_word_for_something_else() -> None:
     words = Words({"glass": one, "cup": other}, {"glass": "glass", "cup": "cup", "tumbler": "glass"})
     assert (words.meaning("glass").vector == one).all()
     assert (words.meaning("tumbler").vector == one).all()
+
+
+def test_pieces_of_words_are_the_longest_that_are_known() -> None:
+    pieces = {"[UNK]": 0, "tea": 1, "##pot": 2, "##po": 3, "##s": 4, "-": 5}
+    assert encoder.pieces_of("Teapots - tea", pieces) == [1, 2, 4, 5, 1]
+    assert encoder.pieces_of("teaz tea", pieces) == [1, 0, 1]
+
+
+@pytest.mark.skipif(not encoder.is_installed(), reason="needs the extra 'words'")
+def test_the_encoder_reads_what_the_table_lacks() -> None:
+    nearest = max(("bed", "hammer", "apple"), key=lambda name: load_words().meaning(name).vector @ found())
+    assert nearest == "bed"
+
+
+def found() -> np.ndarray:
+    vector = encoder.encode("somewhere to sleep")
+    assert vector is not None
+    return vector

@@ -1,7 +1,7 @@
 """What a word or phrase means to perception: which name it is another word for, and a vector of meaning.
 
 An exact name wins over everything. Then come other words for it, the phrase without what stands before its last words
-("red coffee mug"), and a word that is spelled nearly so. The vectors are CLIP's text vectors (Radford et al.,
+("red coffee mug"), and a word that is spelled nearly so; then, where it is installed, a text encoder. The vectors are CLIP's text vectors (Radford et al.,
 arXiv 2103.00020) as Detic carries them (Zhou et al., arXiv 2201.02605; Apache-2.0), reduced to fewer dimensions.
 """
 
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.errors import DamagedFileError, UnknownNameError
+from uniteam.mind.perception.words.encoder import encode
 
 NAME_FILE = Path(__file__).with_name("names.npz")
 """Names and their unit vectors in half precision; `tools/words_build/build_names.py` makes it."""
@@ -129,7 +130,7 @@ def load_words() -> Words:
         raise DamagedFileError(
             f"the words of perception in '{WORD_FILE.parent}' cannot be read: {error!r}; reinstall uniteam"
         ) from error
-    return Words(vectors | described, aliases)
+    return Words(vectors | described, aliases, encode)
 
 
 def _mean(vectors: list[Vector]) -> Vector:
