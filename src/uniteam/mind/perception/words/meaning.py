@@ -1,8 +1,9 @@
 """What a word or phrase means to perception: which name it is another word for, and a vector of meaning.
 
 An exact name wins over everything. Then come other words for it, the phrase without what stands before its last words
-("red coffee mug"), and a word that is spelled nearly so; then, where it is installed, a text encoder. The vectors are CLIP's text vectors (Radford et al.,
-arXiv 2103.00020) as Detic carries them (Zhou et al., arXiv 2201.02605; Apache-2.0), reduced to fewer dimensions.
+("red coffee mug"), and a word that is spelled nearly so; then, where it is installed, a text encoder. The vectors are
+CLIP's text vectors (Radford et al., arXiv 2103.00020) as Detic carries them (Zhou et al., arXiv 2201.02605;
+Apache-2.0), reduced to fewer dimensions.
 """
 
 import json
