@@ -36,7 +36,7 @@ def train(
         work: Folder of views, checkpoints, logs and networks.
         homes: How many training homes to render 60 views of; for the calibration, to look at.
         proposal_homes: In how many more homes the segmenter makes proposals for the namer to learn from.
-        steps: How many steps to train, of 8 frames or 32 crops each.
+        steps: How many steps to train, of 4 frames or 32 crops each.
         camera: Of the calibration, images of 240x320 (half) or of 480x640 (full).
     """
     _check(homes, proposal_homes, steps)

@@ -17,8 +17,8 @@ from uniteam.training.prefetch import prefetched
 from uniteam.training.records import CropRecord, read_crops
 
 BATCH = 32
-_VALIDATED = 700
-"""Crops."""
+_VALIDATED = {"object": 400, "receptacle": 250, "decor": 50, "junk": 100}
+"""Crops of each role."""
 
 
 def train_namer(views: Path, plan: Plan, on_step: Callable[[int, float], None]) -> nn.Module:
@@ -114,6 +114,11 @@ def embeddings(
 
 def validated_crops(crops: Sequence[CropRecord], names: Sequence[str]) -> list[CropRecord]:
     """Return those of some crops that training is judged by, the same each time."""
-    known = [c for c in crops if c.thing is None or c.thing.category in names]
-    order = np.random.default_rng(0).permutation(len(known))[:_VALIDATED]
-    return [known[i] for i in order]
+    order = np.random.default_rng(0).permutation(len(crops))
+    known = [crops[i] for i in order if crops[i].thing is None or name_of(crops[i]) in names]
+    return [c for role, most in _VALIDATED.items() for c in [c for c in known if role_of(c.thing) == role][:most]]
+
+
+def name_of(crop: CropRecord) -> str:
+    """Return the name of what a crop shows, empty for no whole thing."""
+    return "" if crop.thing is None else crop.thing.category

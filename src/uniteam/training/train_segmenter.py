@@ -16,7 +16,7 @@ from uniteam.training.segmenter import Segmenter, segmenter_loss
 from uniteam.training.segmenter_data import NO_RECEPTACLE, FrameSampler
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 
-BATCH = 8
+BATCH = 4
 VALIDATED_HOMES = 2
 """Homes, the first, that are kept to validate."""
 _VALIDATED_FRAMES = 64

@@ -1,6 +1,7 @@
 """What is in a frame before anybody asks for it: regions, each with a vector of meaning."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import cv2
@@ -50,7 +51,7 @@ class Eyes:
 
     def __init__(self, folder: Path = WEIGHTS) -> None:
         """Load them; raises InvalidInputError without ONNX Runtime, DamagedFileError where a file cannot be read."""
-        self._segmenter, self._namer = Network(folder / "segmenter.onnx"), Network(folder / "namer.onnx")
+        self._segmenter, self._namer = _network(folder / "segmenter.onnx"), _network(folder / "namer.onnx")
 
     def look(self, observation: Observation) -> list[Glimpse]:
         """Return what may be things in an observation."""
@@ -65,6 +66,12 @@ class Eyes:
         shapes = np.stack([region_shape(region.mask, frame.depth, frame.camera, camera_to_start) for region in regions])
         vectors, junk = self._namer(as_input(crops), shapes)
         return [Glimpse(r, v, float(j)) for r, v, j in zip(regions, vectors, junk, strict=True)]
+
+
+@lru_cache(maxsize=4)
+def _network(path: Path) -> Network:
+    """Return the network of a file, loaded once a process: it remembers nothing, so every agent can share it."""
+    return Network(path)
 
 
 def segmented(segmenter: Network, observation: Observation) -> list[Region]:

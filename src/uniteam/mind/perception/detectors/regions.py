@@ -15,7 +15,7 @@ MOST_REGIONS = {Kind.OBJECT: 8, Kind.RECEPTACLE: 6}
 """In a frame; the largest."""
 FARTHEST = {Kind.OBJECT: 4.0, Kind.RECEPTACLE: 8.0}
 """m; what is farther cannot be told."""
-DEPTH_STEP = 0.05
+DEPTH_STEP = 0.08
 """Share of the depth by which neighbouring pixels of two things differ."""
 ENDS_AT = 0.5
 """Probability from which on a thing ends in a cell."""
