@@ -15,7 +15,6 @@ from uniteam.training.export import export_namer, export_segmenter, halve
 from uniteam.training.loop import Plan
 from uniteam.training.namer import Namer
 from uniteam.training.proposal_crops import make_proposals
-from uniteam.training.records import read_crops
 from uniteam.training.view_store import VIEWS_A_HOME, make_views
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 
@@ -81,7 +80,7 @@ def make_namer(order: Order, advance: Advance) -> Mapping[str, float]:
     plan = Plan(order.steps, order.check_seconds, order.work / "namer")
     model = train_namer.train_namer(order.views, plan, _steps(order, advance))
     assert isinstance(model, Namer)
-    learnt, held_out = train_namer.divided(read_crops(train_namer.crop_files(order.views)))
+    learnt, held_out = train_namer.divided(train_namer.all_crops(order.views))
     names = train_namer.training_names(learnt)
     figures = train_namer.figures(model, train_namer.validated_crops(held_out, names), names)
     scale = float(model.log_scale.detach().exp())

@@ -17,6 +17,8 @@ from uniteam.training.prefetch import prefetched
 from uniteam.training.records import CropRecord, read_crops
 
 BATCH = 32
+DESIGNED_JUNK = 4
+"""One in so many random pieces is kept where there are real false alarms."""
 _VALIDATED = {"object": 400, "receptacle": 250, "decor": 50, "junk": 100}
 """Crops of each role."""
 
@@ -27,7 +29,7 @@ def train_namer(views: Path, plan: Plan, on_step: Callable[[int, float], None]) 
     Raises:
         InvalidInputError: there are no crops in the folder.
     """
-    training_crops, held_out = divided(read_crops(crop_files(views)))
+    training_crops, held_out = divided(all_crops(views))
     if not training_crops:
         raise InvalidInputError(f"'{views}' holds no crops; make them with: uniteam train namer --homes 200")
     names = training_names(training_crops)
@@ -46,9 +48,13 @@ def train_namer(views: Path, plan: Plan, on_step: Callable[[int, float], None]) 
     return training.average
 
 
-def crop_files(views: Path) -> list[Path]:
-    """Return the files of crops of a folder, those of proposals last."""
-    return [*sorted(views.glob("crops-*.msgpack")), *sorted(views.glob("proposals-*.msgpack"))]
+def all_crops(views: Path) -> list[CropRecord]:
+    """Return the crops of a folder; where there are proposals, few of the pieces that are no whole things by design."""
+    crops = read_crops(sorted(views.glob("crops-*.msgpack")))
+    proposals = read_crops(sorted(views.glob("proposals-*.msgpack")))
+    if proposals:
+        crops = [c for number, c in enumerate(crops) if c.thing is not None or number % DESIGNED_JUNK == 0]
+    return crops + proposals
 
 
 def divided(crops: Sequence[CropRecord]) -> tuple[list[CropRecord], list[CropRecord]]:
