@@ -6,6 +6,8 @@ from numpy.typing import NDArray
 from uniteam.geometry import PinholeCamera
 
 SHAPE_NUMBERS = 9
+_ENOUGH = 1500
+"""Pixels of a region that are measured; of a larger one every second, third, ..."""
 _FEWEST = 8
 """Pixels with depth; of fewer nothing is measured."""
 
@@ -32,6 +34,8 @@ def region_shape(
     shape[4] = np.log(len(rows) / (height * width)) / 4.0 + 1.0
     shape[7] = columns.min() == 0 or columns.max() == width - 1
     shape[8] = rows.min() == 0 or rows.max() == height - 1
+    every = 1 + len(rows) // _ENOUGH
+    rows, columns = rows[::every], columns[::every]
     z = depth[rows, columns].astype(np.float64)
     near = z > 0
     if np.count_nonzero(near) < _FEWEST:

@@ -52,7 +52,6 @@ def find_regions(logits: NDArray[np.float32], depth: NDArray[np.float32]) -> lis
     fine = np.stack([cv2.resize(channel, (width, height)) for channel in logits[: count + 1]])
     kinds = fine[:count].argmax(axis=0)
     chances = _softmax(logits[:count])
-    names = np.log(_softmax(logits[count + 1 :]) + 1e-6)
     ends = (fine[count] > np.log(ENDS_AT / (1.0 - ENDS_AT))).astype(np.uint8)
     is_inside = (cv2.dilate(ends, np.ones((3, 3), np.uint8)) == 0) & ~_steps(depth)
     regions = []
@@ -61,8 +60,8 @@ def find_regions(logits: NDArray[np.float32], depth: NDArray[np.float32]) -> lis
         masks = _parts(kinds == kind, is_inside, near, FEWEST_PIXELS[kind])
         for mask in masks[: MOST_REGIONS[kind]]:
             cells = _cells(mask)
-            certainty = float(chances[kind][cells].mean())
-            regions.append(Region(kind, mask, certainty, names[:, cells].mean(axis=1).astype(np.float32)))
+            names = np.log(_softmax(logits[count + 1 :, cells]) + 1e-6).mean(axis=1)
+            regions.append(Region(kind, mask, float(chances[kind][cells].mean()), names.astype(np.float32)))
     return regions
 
 
