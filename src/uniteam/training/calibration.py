@@ -6,6 +6,7 @@ models that is held out, so that right and wrong come as often as they would amo
 
 import json
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +25,10 @@ from uniteam.training.views import training_home, views_of
 
 FIRST_HOME = 9_000
 """Number of the first training home to calibrate with; the networks were not trained in it."""
-_MOST_POINTS = 12
+_EDGES = (0.0, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.01)
+"""Of raw scores, between which the share of right answers is taken."""
+_PRIOR = 2.0
+"""Answers that the raw score itself counts for."""
 _FEWEST_OF_CLASS = 25
 _GRID = np.arange(0.05, 0.96, 0.05)
 
@@ -44,22 +48,27 @@ def watch_training_homes(
 
 
 def fit_calibration(answers: Sequence[Answer], role: str) -> Points:
-    """Return (raw scores, chances): the isotonic map of a role's raw scores, as a few points of a broken line.
+    """Return (raw scores, chances): what a role's raw scores are worth, as the points of a broken line that rises.
 
-    Isotonic regression by pooling adjacent violators: Ayer et al., Annals of Mathematical Statistics 26 (1955).
+    The share of right answers between two scores, drawn to the raw score where there are few, is made to rise by
+    isotonic regression (pooling adjacent violators: Ayer et al., Annals of Mathematical Statistics 26, 1955).
     """
-    own = sorted((a for a in answers if a.role == role and weight_of(a) > 0.0), key=lambda a: a.raw)
-    if not own:
+    own = [a for a in answers if a.role == role and weight_of(a) > 0.0]
+    scores, weights = np.array([a.raw for a in own]), np.array([weight_of(a) for a in own])
+    right = np.array([float(a.is_right) for a in own])
+    middles, shares, evidence = [], [], []
+    for low, high in pairwise(_EDGES):
+        within = (scores >= low) & (scores < high)
+        weight = float(weights[within].sum())
+        if weight > 0.0:
+            middle = float(np.average(scores[within], weights=weights[within]))
+            shares.append((float((weights * right)[within].sum()) + _PRIOR * middle) / (weight + _PRIOR))
+            middles.append(middle)
+            evidence.append(weight + _PRIOR)
+    if not middles:
         return [0.0, 1.0], [0.0, 1.0]
-    scores = np.array([a.raw for a in own])
-    right, weights = np.array([float(a.is_right) for a in own]), np.array([weight_of(a) for a in own])
-    fitted = isotonic(right, weights)
-    places = np.unique(np.linspace(0, len(own) - 1, _MOST_POINTS * 4).astype(int))
-    levels = [0.0, *np.quantile(scores[places], np.linspace(0.0, 1.0, _MOST_POINTS)), 1.0]
-    points = sorted({round(float(level), 4) for level in levels})
-    chances = np.interp(points, scores, fitted)
-    chances[0] = 0.0
-    return points, [round(float(c), 4) for c in np.maximum.accumulate(chances)]
+    fitted = isotonic(np.array(shares), np.array(evidence))
+    return [0.0, *(round(m, 4) for m in middles), 1.0], [0.0, *(round(float(f), 4) for f in [*fitted, fitted[-1]])]
 
 
 def isotonic(values: NDArray[np.float64], weights: NDArray[np.float64]) -> NDArray[np.float64]:
