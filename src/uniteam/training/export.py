@@ -1,13 +1,9 @@
-"""The trained networks as ONNX files for ONNX Runtime, with their weights in half precision, or in int8."""
+"""The trained networks as ONNX files for ONNX Runtime, with their weights in half precision."""
 
-from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import nn
 
 from uniteam.files import write_whole
@@ -19,7 +15,6 @@ from uniteam.mind.perception.detectors.region_shape import SHAPE_NUMBERS
 OPSET = 17
 _LARGE = 256
 """Numbers; a weight of fewer stays as it is."""
-Inputs = Mapping[str, NDArray[np.float32]]
 
 
 def export_segmenter(model: nn.Module, path: Path) -> None:
@@ -68,31 +63,3 @@ def halve(path: Path, out: Path) -> None:
     graph.node.extend(nodes)
     onnx.checker.check_model(network)
     write_whole(out, network.SerializeToString())
-
-
-def quantize(path: Path, out: Path, examples: Sequence[Inputs], kept: Sequence[str] = ()) -> None:
-    """Write a network in int8: its weights by channel, its activations by what they are for examples.
-
-    Args:
-        path: of the float32 network.
-        out: of the int8 one.
-        examples: its inputs, some hundred of them.
-        kept: names of nodes that stay float32.
-    """
-    from onnxruntime.quantization import CalibrationDataReader, QuantFormat, QuantType, quantize_static
-    from onnxruntime.quantization.shape_inference import quant_pre_process
-
-    class Reader(CalibrationDataReader):
-        def __init__(self) -> None:
-            self._examples: Iterator[Any] = iter(examples)
-
-        def get_next(self) -> Any:
-            return next(self._examples, None)
-
-    with TemporaryDirectory() as folder:
-        prepared = Path(folder) / "prepared.onnx"
-        quant_pre_process(str(path), str(prepared))
-        quantize_static(
-            str(prepared), str(out), Reader(), quant_format=QuantFormat.QDQ, per_channel=True,
-            weight_type=QuantType.QInt8, activation_type=QuantType.QUInt8, nodes_to_exclude=list(kept),
-        )  # fmt: skip
