@@ -1,15 +1,12 @@
 """`uniteam episodes`: certified episodes of a user's own, in a file that `--split` plays."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from uniteam.cli.home import Style
+from uniteam.cli.progress import counting
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.files import try_output
@@ -51,7 +48,7 @@ def episodes(
     console = make_console()
     growing = GrowingSplit(out, (make, seeds, per_home), style_name(make))
     short: list[str] = []
-    with _progress(console, len(seeds)) as advance:
+    with counting(console, "homes", len(seeds)) as advance:
 
         def on_home(home: Home, count: int) -> None:
             if count < per_home:
@@ -91,11 +88,3 @@ def _seeds(homes: str) -> range:
             f"--homes must be seeds such as 9000:9010 or 9000, {MOST_HOMES} at most, got '{homes[:100]}'"
         )
     return seeds
-
-
-@contextmanager
-def _progress(console: Console, total: int) -> Iterator[Callable[[], None]]:
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console) as progress:
-        bar = progress.add_task("homes", total=total)
-        yield lambda: progress.advance(bar)

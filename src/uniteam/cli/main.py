@@ -54,6 +54,14 @@ COMMANDS = {
     "episodes": Command(
         "generate certified episodes of your own", "uniteam episodes --homes 9000:9010 --per-home 5 --out mine.jsonl.gz"
     ),
+    "perception": Command(
+        "measure what perception `learned` finds and names in a split's homes",
+        "uniteam perception --split val --homes 40 --out perception.md",
+    ),
+    "train": Command(
+        "make the networks of perception `learned`: render training homes, train, judge, write",
+        "uniteam train segmenter --work training --homes 200",
+    ),
     "agents": Command(
         "list agents, perceptions, improvements and sources of homes, and where each is from", "uniteam agents"
     ),

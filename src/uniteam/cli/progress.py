@@ -1,6 +1,8 @@
 """An evaluation under a progress bar, or line by line in a log."""
 
 from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
@@ -10,6 +12,15 @@ from uniteam.evaluation.backends.processes import Lost
 from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Episode
+
+
+@contextmanager
+def counting(console: Console, what: str, total: int) -> Iterator[Callable[[], None]]:
+    """Show a bar that counts; what is given is called after each."""
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console) as progress:
+        bar = progress.add_task(what, total=total)
+        yield lambda: progress.advance(bar)
 
 
 def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console) -> list[str]:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from hashlib import sha256
 from importlib import import_module
+from importlib.metadata import PackageNotFoundError, version
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,8 @@ from uniteam.world.task.splits import SPLIT_DIRECTORY, SPLIT_NAMES, SUFFIX
 
 PACKAGES = ("numpy", "numba", "llvmlite", "mujoco", "cv2")
 """Modules of others whose version can change a figure in its last bits, and so an episode."""
+
+_READ_BY_THE_MIND = frozenset((".py", ".json", ".npz", ".onnx", ".gz"))
 
 DIGITS = 12
 """How much of a digest is kept: enough to tell any two runs apart that somebody has."""
@@ -82,6 +85,7 @@ def software() -> dict[str, str]:
     return {
         "python": platform.python_version(),
         **{package: str(import_module(package).__version__) for package in PACKAGES},
+        "onnxruntime": _installed_version("onnxruntime"),
         "platform": f"{platform.system()} {platform.machine()}",
         "cpu": name or binding.get_host_cpu_name(),
         "cpu_features": _text_digest(features or binding.get_host_cpu_features().flatten()),
@@ -89,10 +93,21 @@ def software() -> dict[str, str]:
     }
 
 
+def _installed_version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "none"
+
+
 def source_digest() -> str:
-    """Return a digest of the source of world, mind and what plays episodes: other code has other results."""
+    """Return a digest of the source of world, mind and what plays episodes: other code has other results.
+
+    What the mind reads beside its code counts as code: words, thresholds and the weights of its networks.
+    """
     root = Path(uniteam.__file__).parent
-    folders = chain((root / "world").rglob("*.py"), (root / "mind").rglob("*.py"), (root / "evaluation").glob("*.py"))
+    mind = (path for path in (root / "mind").rglob("*") if path.suffix in _READ_BY_THE_MIND)
+    folders = chain((root / "world").rglob("*.py"), mind, (root / "evaluation").glob("*.py"))
     return _digest(chain(root.glob("*.py"), folders))
 
 

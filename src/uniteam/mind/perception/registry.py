@@ -7,6 +7,7 @@ from uniteam.errors import InvalidInputError
 from uniteam.interface import Perception
 from uniteam.mind.perception.detectors.detic import DETIC
 from uniteam.mind.perception.detectors.grounded_sam import GROUNDED_SAM
+from uniteam.mind.perception.detectors.learned import LearnedPerception
 from uniteam.mind.perception.detectors.owlv2 import OWLV2
 from uniteam.mind.perception.detectors.recognize_anything import recognize_anything
 from uniteam.mind.perception.detectors.remote import REMOTE
@@ -30,6 +31,7 @@ def _checked(name: str, value: object) -> PerceptionFactory:
 
 PERCEPTIONS: Registry[PerceptionFactory] = Registry("perception", "uniteam.perceptions", _checked)
 PERCEPTIONS.register("truth", TruthPerception)
+PERCEPTIONS.register("learned", LearnedPerception)
 PERCEPTIONS.register("noisy", Family("the truth with a detector's errors, few to many", "LEVEL", "0.6", noisy_of))
 PERCEPTIONS.register("owlv2", OWLV2)
 PERCEPTIONS.register("grounded-sam", GROUNDED_SAM)

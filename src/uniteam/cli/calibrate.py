@@ -1,0 +1,38 @@
+"""The calibration of `uniteam train`: what the networks' scores are worth, and which of them to believe."""
+
+from pathlib import Path
+
+from rich.console import Console
+
+from uniteam.cli.progress import counting
+from uniteam.cli.terminal import shown
+from uniteam.errors import InvalidInputError
+
+VIEWS = 40
+
+
+def calibrate(work: Path, homes: int, camera: str, console: Console) -> None:
+    """Fit the calibration and the thresholds of the networks in a folder's `weights`, and write both there."""
+    from dataclasses import replace
+
+    from uniteam.evaluation.worker import camera_named
+    from uniteam.mind.perception.detectors.asking import ROLES, calibrated
+    from uniteam.mind.perception.detectors.eyes import Eyes
+    from uniteam.mind.perception.detectors.networks import read_card
+    from uniteam.training.calibration import fit_calibration, fit_thresholds, watch_training_homes, write_thresholds
+    from uniteam.training.card import change_card
+
+    weights = work / "weights"
+    if not (weights / "namer.onnx").is_file() or not (weights / "segmenter.onnx").is_file():
+        raise InvalidInputError(f"'{weights}' holds no two networks; train the segmenter and the namer first")
+    card = replace(read_card(weights), calibration={})
+    with counting(console, "homes", homes) as advance:
+        sightings = watch_training_homes(Eyes(weights), card, homes, VIEWS, camera_named(camera), advance)
+    calibration = {role: fit_calibration(sightings.answers, role) for role in ROLES.values()}
+    facts = {"homes": homes, "views a home": VIEWS, "camera": camera, "answers": len(sightings.answers)}
+    change_card(weights, "calibration", facts, calibration=calibration)
+    sightings.answers = [replace(a, score=calibrated(a.raw, a.role, calibration)) for a in sightings.answers]
+    write_thresholds(weights / "thresholds.json", fit_thresholds(sightings))
+    console.print(
+        f"Written: the calibration into {shown(weights / 'card.json')}, and {shown(weights / 'thresholds.json')}"
+    )

@@ -1,0 +1,1 @@
+"""How the networks of perception `learned` are made: views, crops, training, export, measurement."""

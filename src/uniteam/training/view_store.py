@@ -1,0 +1,54 @@
+"""Views of training homes on the disk, made a home at a time; what is there is not made again."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from uniteam.files import try_folder
+from uniteam.training.crop_samples import crops_of
+from uniteam.training.records import CropRecord, Crops, FrameRecord, Frames, frame_record, things_of, write_records
+from uniteam.training.views import training_home, views_of
+
+VIEWS_A_HOME = 60
+
+
+def make_views(folder: Path, homes: range, on_home: Callable[[], None], views: int = VIEWS_A_HOME) -> None:
+    """Make the frames and crops of training homes that a folder lacks.
+
+    Args:
+        folder: where they are kept.
+        homes: their numbers.
+        on_home: called after each.
+        views: of each home.
+
+    Raises:
+        UnwritableError: the folder cannot be written into.
+    """
+    try_folder(folder)
+    for number in homes:
+        if not crops_path(folder, number).exists():
+            _make_home(folder, number, views)
+        on_home()
+
+
+def crops_path(folder: Path, number: int) -> Path:
+    """Return where the crops of a home are kept."""
+    return folder / f"crops-{number:05d}.msgpack"
+
+
+def frames_path(folder: Path, number: int) -> Path:
+    """Return where the frames of a home are kept."""
+    return folder / f"frames-{number:05d}.msgpack"
+
+
+def _make_home(folder: Path, number: int, views: int) -> None:
+    home, rng = training_home(number), np.random.default_rng([number, 7])
+    things = things_of(home)
+    frames: list[FrameRecord] = []
+    crops: list[CropRecord] = []
+    for view in views_of(home, views, rng):
+        frames.append(frame_record(view))
+        crops += crops_of(view, things, rng)
+    write_records(frames_path(folder, number), Frames(things, frames))
+    write_records(crops_path(folder, number), Crops(crops))
