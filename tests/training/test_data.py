@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from uniteam.mind.perception.detectors.crops import CROP_SIZE
-from uniteam.mind.perception.detectors.kinds import Kind
+from uniteam.mind.perception.learned.crops import CROP_SIZE
+from uniteam.mind.perception.learned.kinds import Kind
 from uniteam.training.augmentation import holed, relit
 from uniteam.training.crop_samples import STORED_SIZE, crops_of
 from uniteam.training.namer_data import JUNK, CropSampler, is_held_out, plain_batch

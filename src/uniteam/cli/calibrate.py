@@ -16,9 +16,9 @@ def calibrate(work: Path, homes: int, camera: str, console: Console) -> None:
     from dataclasses import replace
 
     from uniteam.evaluation.worker import camera_named
-    from uniteam.mind.perception.detectors.asking import ROLES, calibrated
-    from uniteam.mind.perception.detectors.eyes import Eyes
-    from uniteam.mind.perception.detectors.networks import read_card
+    from uniteam.mind.perception.learned.asking import ROLES, calibrated
+    from uniteam.mind.perception.learned.eyes import Eyes
+    from uniteam.mind.perception.learned.networks import read_card
     from uniteam.training.calibration import fit_calibration, fit_thresholds, watch_training_homes, write_thresholds
     from uniteam.training.card import change_card
 

@@ -44,7 +44,7 @@ def perception(
     if out is not None:
         try_output(out, (".md",))
     from uniteam.evaluation.worker import camera_named
-    from uniteam.mind.perception.detectors.networks import WEIGHTS
+    from uniteam.mind.perception.learned.networks import WEIGHTS
     from uniteam.training.report import as_markdown, homes_with_seen_instances, tables, watch
     from uniteam.world.task.splits import load_split
 

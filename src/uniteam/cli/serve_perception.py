@@ -9,8 +9,8 @@ import uniteam
 from uniteam.cli.perceptions import perception_name
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError, UnavailableError
-from uniteam.mind.perception.detectors.perception_server import PerceptionServer
 from uniteam.mind.perception.detectors.remote import TOKEN
+from uniteam.mind.perception.perception_server import PerceptionServer
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 

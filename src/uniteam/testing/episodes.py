@@ -1,5 +1,6 @@
-"""The world in which agents and perceptions are checked: a small home of the package, and its two episodes."""
+"""The world in which agents and perceptions are checked: a small home of the package, and two episodes there."""
 
+from dataclasses import replace
 from functools import cache
 
 from uniteam.world.homes.home import Home
@@ -12,10 +13,12 @@ _SPLIT = "minival"
 
 @cache
 def checked_episodes() -> tuple[Home, Episode, Episode]:
-    """Return the home of `minival` with the fewest things in it, and two episodes there."""
+    """Return the home of `minival` with the fewest things in it, its episode, and the same from another start."""
     split = load_split(_SPLIT)
     home = min(split.homes.values(), key=lambda home: len(home.instances))
-    first, second, *_ = (episode for episode in split.episodes if episode.home == home.name)
+    first = next(episode for episode in split.episodes if episode.home == home.name)
+    assert first.certificate is not None
+    second = replace(first, id=f"{first.id} again", start=first.certificate.release, seed=first.seed + 1)
     return home, first, second
 
 

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from uniteam.files import write_whole
 from uniteam.geometry import PinholeCamera
-from uniteam.mind.perception.detectors.asking import Asking
-from uniteam.mind.perception.detectors.eyes import Eyes
-from uniteam.mind.perception.detectors.networks import Card
+from uniteam.mind.perception.learned.asking import Asking
+from uniteam.mind.perception.learned.eyes import Eyes
+from uniteam.mind.perception.learned.networks import Card
 from uniteam.mind.perception.words.meaning import load_words
 from uniteam.training.namer_data import HELD_OUT, is_held_out
 from uniteam.training.records import things_of

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from uniteam.files import write_whole
-from uniteam.mind.perception.detectors.networks import WEIGHTS
+from uniteam.mind.perception.learned.networks import WEIGHTS
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 
 _EMPTY: Mapping[str, Any] = {

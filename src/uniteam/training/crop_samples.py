@@ -7,8 +7,8 @@ import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
 
-from uniteam.mind.perception.detectors.crops import GREY, Square, cut, square_around
-from uniteam.mind.perception.detectors.region_shape import region_shape
+from uniteam.mind.perception.learned.crops import GREY, Square, cut, square_around
+from uniteam.mind.perception.learned.region_shape import region_shape
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.training.records import CropRecord, Thing, jpeg, png
 from uniteam.training.views import View

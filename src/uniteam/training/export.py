@@ -7,10 +7,10 @@ import torch
 from torch import nn
 
 from uniteam.files import write_whole
-from uniteam.mind.perception.detectors.crops import CROP_SIZE
-from uniteam.mind.perception.detectors.eyes import HALF_HEIGHT, HALF_WIDTH
-from uniteam.mind.perception.detectors.geometry_image import GEOMETRY_CHANNELS, STRIDE
-from uniteam.mind.perception.detectors.region_shape import SHAPE_NUMBERS
+from uniteam.mind.perception.learned.crops import CROP_SIZE
+from uniteam.mind.perception.learned.eyes import HALF_HEIGHT, HALF_WIDTH
+from uniteam.mind.perception.learned.geometry_image import GEOMETRY_CHANNELS, STRIDE
+from uniteam.mind.perception.learned.region_shape import SHAPE_NUMBERS
 
 OPSET = 17
 _LARGE = 256

@@ -7,7 +7,7 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
-from uniteam.mind.perception.detectors.region_shape import SHAPE_NUMBERS
+from uniteam.mind.perception.learned.region_shape import SHAPE_NUMBERS
 from uniteam.mind.perception.words.meaning import DIMENSIONS, load_words
 from uniteam.training.backbone import HEAD, network_input, pretrained_backbone, pretrained_head
 from uniteam.training.namer_data import JUNK, CropBatch

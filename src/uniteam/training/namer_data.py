@@ -11,7 +11,7 @@ import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
 
-from uniteam.mind.perception.detectors.crops import CROP_MARGIN, CROP_SIZE, GREY, greyed
+from uniteam.mind.perception.learned.crops import CROP_MARGIN, CROP_SIZE, GREY, greyed
 from uniteam.training.augmentation import relit
 from uniteam.training.crop_samples import STORED_MARGIN, STORED_SIZE
 from uniteam.training.records import CropRecord, Thing, from_jpeg, from_png

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from uniteam.geometry import PinholeCamera
-from uniteam.mind.perception.detectors.eyes import Eyes, half_frame
-from uniteam.mind.perception.detectors.kinds import Kind
-from uniteam.mind.perception.detectors.regions import Region
+from uniteam.mind.perception.learned.eyes import Eyes, half_frame
+from uniteam.mind.perception.learned.kinds import Kind
+from uniteam.mind.perception.learned.regions import Region
 from uniteam.mind.perception.words.meaning import load_words
 from uniteam.training.records import Thing
 from uniteam.training.sightings import FARTHEST, FEWEST_PIXELS, observation_of

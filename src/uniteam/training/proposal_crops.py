@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 
 from uniteam.files import try_folder
-from uniteam.mind.perception.detectors.eyes import segmented
-from uniteam.mind.perception.detectors.networks import Network
+from uniteam.mind.perception.learned.eyes import segmented
+from uniteam.mind.perception.learned.networks import Network
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.training.crop_samples import crop_record
 from uniteam.training.records import CropRecord, Crops, Thing, things_of, write_records

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from uniteam.geometry import PinholeCamera
-from uniteam.mind.perception.detectors.asking import Asking
-from uniteam.mind.perception.detectors.eyes import Eyes
-from uniteam.mind.perception.detectors.networks import read_card
+from uniteam.mind.perception.learned.asking import Asking
+from uniteam.mind.perception.learned.eyes import Eyes
+from uniteam.mind.perception.learned.networks import read_card
 from uniteam.mind.perception.words.meaning import load_words
 from uniteam.training.calibration import FIRST_HOME
 from uniteam.training.figures import (

@@ -4,8 +4,8 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
-from uniteam.mind.perception.detectors.geometry_image import GEOMETRY_CHANNELS
-from uniteam.mind.perception.detectors.kinds import Kind
+from uniteam.mind.perception.learned.geometry_image import GEOMETRY_CHANNELS
+from uniteam.mind.perception.learned.kinds import Kind
 from uniteam.training.backbone import STRIDE_CHANNELS, network_input, pretrained_backbone
 from uniteam.training.segmenter_data import NO_RECEPTACLE, FrameBatch
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
 
-from uniteam.mind.perception.detectors.geometry_image import STRIDE, geometry_image
-from uniteam.mind.perception.detectors.kinds import Kind
+from uniteam.mind.perception.learned.geometry_image import STRIDE, geometry_image
+from uniteam.mind.perception.learned.kinds import Kind
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.training.augmentation import holed, relit
 from uniteam.training.records import FrameRecord, Frames, Thing, from_jpeg, from_png, read_frames

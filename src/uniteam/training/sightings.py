@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Joints, Observation
-from uniteam.mind.perception.detectors.asking import ROLES, Asking
-from uniteam.mind.perception.detectors.eyes import Eyes, Glimpse
-from uniteam.mind.perception.detectors.kinds import Kind
+from uniteam.mind.perception.learned.asking import ROLES, Asking
+from uniteam.mind.perception.learned.eyes import Eyes, Glimpse
+from uniteam.mind.perception.learned.kinds import Kind
 from uniteam.mind.perception.words.meaning import plain_words
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
 from uniteam.training.records import Thing

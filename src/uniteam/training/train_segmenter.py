@@ -8,7 +8,7 @@ import torch
 from torch import nn
 
 from uniteam.errors import InvalidInputError
-from uniteam.mind.perception.detectors.kinds import Kind
+from uniteam.mind.perception.learned.kinds import Kind
 from uniteam.training.backbone import network_input
 from uniteam.training.loop import Plan, Training, best_device
 from uniteam.training.prefetch import prefetched

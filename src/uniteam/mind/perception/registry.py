@@ -7,11 +7,11 @@ from uniteam.errors import InvalidInputError
 from uniteam.interface import Perception
 from uniteam.mind.perception.detectors.detic import DETIC
 from uniteam.mind.perception.detectors.grounded_sam import GROUNDED_SAM
-from uniteam.mind.perception.detectors.learned import LearnedPerception
 from uniteam.mind.perception.detectors.owlv2 import OWLV2
 from uniteam.mind.perception.detectors.recognize_anything import recognize_anything
 from uniteam.mind.perception.detectors.remote import REMOTE
 from uniteam.mind.perception.detectors.yoloe import YOLOE
+from uniteam.mind.perception.learned.learned_perception import LearnedPerception
 from uniteam.mind.perception.noise.noisy import noisy_of
 from uniteam.mind.perception.truth import TruthPerception
 from uniteam.registry import Family, Registry

@@ -20,7 +20,6 @@ from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
 from uniteam.mind.perception.detectors import remote
-from uniteam.mind.perception.detectors.perception_server import PerceptionServer, Sessions
 from uniteam.mind.perception.detectors.remote import Patience, RemotePerception, ServerError
 from uniteam.mind.perception.detectors.remote_messages import (
     PROTOCOL,
@@ -33,6 +32,7 @@ from uniteam.mind.perception.detectors.remote_messages import (
     seen_of,
     segmentation_of,
 )
+from uniteam.mind.perception.perception_server import PerceptionServer, Sessions
 from uniteam.mind.perception.registry import make_perception
 from uniteam.mind.perception.truth import visible_truth
 from uniteam.testing import check_perception

@@ -1,4 +1,1 @@
-"""Detectors behind the one door of perception: the networks that the package ships, and one adapter a file.
-
-What an adapter needs is imported when it is made.
-"""
+"""Detectors behind the one door of perception, one adapter a file; what they need is imported when they are made."""

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.mind.perception.detectors.eyes import Glimpse
-from uniteam.mind.perception.detectors.kinds import Kind
-from uniteam.mind.perception.detectors.networks import Card
+from uniteam.mind.perception.learned.eyes import Glimpse
+from uniteam.mind.perception.learned.kinds import Kind
+from uniteam.mind.perception.learned.networks import Card
 from uniteam.mind.perception.words.meaning import Words, plain_words
 
 UNSEEN_ADVANTAGE = 3.0

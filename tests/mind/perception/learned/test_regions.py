@@ -9,14 +9,14 @@ import pytest
 from uniteam.errors import DamagedFileError, InvalidInputError
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Joints, Observation
-from uniteam.mind.perception.detectors.asking import calibrated
-from uniteam.mind.perception.detectors.crops import CROP_SIZE, GREY, greyed, region_crop, square_around
-from uniteam.mind.perception.detectors.eyes import half_frame
-from uniteam.mind.perception.detectors.geometry_image import geometry_image
-from uniteam.mind.perception.detectors.kinds import Kind
-from uniteam.mind.perception.detectors.networks import Network, read_card
-from uniteam.mind.perception.detectors.region_shape import region_shape
-from uniteam.mind.perception.detectors.regions import find_regions
+from uniteam.mind.perception.learned.asking import calibrated
+from uniteam.mind.perception.learned.crops import CROP_SIZE, GREY, greyed, region_crop, square_around
+from uniteam.mind.perception.learned.eyes import half_frame
+from uniteam.mind.perception.learned.geometry_image import geometry_image
+from uniteam.mind.perception.learned.kinds import Kind
+from uniteam.mind.perception.learned.networks import Network, read_card
+from uniteam.mind.perception.learned.region_shape import region_shape
+from uniteam.mind.perception.learned.regions import find_regions
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
 
 CELLS = (HEAD_CAMERA_HALF.height // 4, HEAD_CAMERA_HALF.width // 4)

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
-from uniteam.mind.perception.detectors.asking import Asked, Asking
-from uniteam.mind.perception.detectors.eyes import Eyes, Glimpse
-from uniteam.mind.perception.detectors.kinds import Kind
-from uniteam.mind.perception.detectors.networks import read_card
+from uniteam.mind.perception.learned.asking import Asked, Asking
+from uniteam.mind.perception.learned.eyes import Eyes, Glimpse
+from uniteam.mind.perception.learned.kinds import Kind
+from uniteam.mind.perception.learned.networks import read_card
 from uniteam.mind.perception.words.meaning import load_words
 
 LOWEST_SCORE = 0.02

@@ -7,7 +7,7 @@ pytest.importorskip("onnxruntime")
 
 from uniteam.geometry import PinholeCamera
 from uniteam.interface import Instruction, Observation
-from uniteam.mind.perception.detectors.learned import LearnedPerception
+from uniteam.mind.perception.learned.learned_perception import LearnedPerception
 from uniteam.mind.perception.registry import needs_truth
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
 from uniteam.training.calibration import FIRST_HOME

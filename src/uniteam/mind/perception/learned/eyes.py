@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import PinholeCamera
 from uniteam.interface import Observation
-from uniteam.mind.perception.detectors.crops import region_crop
-from uniteam.mind.perception.detectors.geometry_image import geometry_image
-from uniteam.mind.perception.detectors.networks import WEIGHTS, Network, as_input
-from uniteam.mind.perception.detectors.region_shape import region_shape
-from uniteam.mind.perception.detectors.regions import Region, find_regions
+from uniteam.mind.perception.learned.crops import region_crop
+from uniteam.mind.perception.learned.geometry_image import geometry_image
+from uniteam.mind.perception.learned.networks import WEIGHTS, Network, as_input
+from uniteam.mind.perception.learned.region_shape import region_shape
+from uniteam.mind.perception.learned.regions import Region, find_regions
 from uniteam.stretch import HEAD_CAMERA_HALF
 
 HALF_HEIGHT, HALF_WIDTH = HEAD_CAMERA_HALF.height, HEAD_CAMERA_HALF.width

@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.mind.perception.detectors.geometry_image import STRIDE
-from uniteam.mind.perception.detectors.kinds import Kind
+from uniteam.mind.perception.learned.geometry_image import STRIDE
+from uniteam.mind.perception.learned.kinds import Kind
 
 FEWEST_PIXELS = {Kind.OBJECT: 30, Kind.RECEPTACLE: 250}
 """Of a region, by its kind; what is smaller is not looked at."""
