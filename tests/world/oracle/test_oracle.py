@@ -135,10 +135,11 @@ def test_the_arm_comes_from_above_where_it_is_asked_to() -> None:
 
 @pytest.mark.parametrize(
     ("heading", "position", "reached"),
-    [(0.0, (0.6, 0.0, 0.7), True), (0.0, (1.3, 0.0, 0.7), False), (0.0, (0.75, 0.0, 0.0), False),
+    [(0.0, (0.6, 0.0, 0.7), True), (0.0, (1.3, 0.0, 0.7), False), (0.0, (0.75, 0.0, 0.0), True),
+     (0.0, (0.15, 0.0, 0.0), False), (0.0, (0.6, 0.0, 1.5), False),
      (math.pi, (0.6, 0.0, 0.7), False)],
 )  # fmt: skip
-def test_what_lies_too_far_or_too_low_or_behind_cannot_be_grasped(
+def test_what_lies_too_far_or_behind_or_out_of_the_picture_cannot_be_grasped(
     heading: float, position: tuple[float, ...], reached: bool
 ) -> None:
     grasp = Grasp(BasePose(0.0, 0.0, heading), MANIPULATION_POSTURE)
