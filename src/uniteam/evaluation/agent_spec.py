@@ -7,7 +7,7 @@ from typing import Any
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Agent
 from uniteam.mind.agents.registry import AGENTS, AgentContext, describe_agent, is_told_the_truth, make_agent
-from uniteam.mind.perception.registry import needs_truth
+from uniteam.mind.perception.registry import check_ready, needs_truth
 from uniteam.world.oracle.oracle import Oracle
 from uniteam.world.task.environment import Environment
 
@@ -70,7 +70,9 @@ def label_agents(
 
     Raises:
         UnknownNameError: an unknown agent, perception or improvement.
+        UniteamError: the perception needs something that is not installed.
     """
+    check_ready(perception)
     labelled = {}
     for name in names:
         plain = AgentSpec(name, perception)

@@ -63,6 +63,18 @@ def build_perception(name: str, factory: PerceptionFactory) -> Perception:
     return made
 
 
+def check_ready(name: str) -> None:
+    """Let a perception say what it lacks before a run begins, by a function `check_ready` of its factory's.
+
+    Raises:
+        UnknownNameError: there is none of this name.
+        UniteamError: what is to be installed.
+    """
+    check = getattr(PERCEPTIONS.get(name), "check_ready", None)
+    if callable(check):
+        check()
+
+
 def needs_truth(name: str) -> bool:
     """Return whether observations must carry the simulator's own segmentation. Raises what `make_perception` does."""
     return bool(getattr(PERCEPTIONS.get(name), "needs_truth", False))

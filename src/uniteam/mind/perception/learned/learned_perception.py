@@ -11,7 +11,7 @@ from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.learned.asking import Asked, Asking
 from uniteam.mind.perception.learned.eyes import Eyes, Glimpse
 from uniteam.mind.perception.learned.kinds import Kind
-from uniteam.mind.perception.learned.networks import read_card
+from uniteam.mind.perception.learned.networks import check_runtime, read_card
 from uniteam.mind.perception.words.meaning import load_words
 
 LOWEST_SCORE = 0.02
@@ -30,6 +30,11 @@ class LearnedPerception:
         """
         self._eyes, self._asking = Eyes(), Asking(read_card(), load_words())
         self._asked: tuple[Asked, ...] = ()
+
+    @staticmethod
+    def check_ready() -> None:
+        """Raise InvalidInputError where ONNX Runtime is not installed."""
+        check_runtime()
 
     def reset(self, instruction: Instruction, seed: int) -> None:
         """Take the instruction's words; raises UnknownNameError for one that cannot be read."""

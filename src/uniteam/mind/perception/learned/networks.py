@@ -32,6 +32,12 @@ class Card:
     calibration: dict[str, tuple[list[float], list[float]]]
 
 
+def check_runtime() -> None:
+    """Raise UnavailableError where ONNX Runtime is not installed."""
+    if find_spec("onnxruntime") is None:
+        raise UnavailableError("perception 'learned' needs ONNX Runtime: pip install 'uniteam[learned]'")
+
+
 class Network:
     """A network of one file, run on one thread, so that the same input gives the same bits."""
 
@@ -42,8 +48,7 @@ class Network:
             UnavailableError: ONNX Runtime is not installed.
             DamagedFileError: the file cannot be read as a network.
         """
-        if find_spec("onnxruntime") is None:
-            raise UnavailableError("perception 'learned' needs ONNX Runtime: pip install 'uniteam[learned]'")
+        check_runtime()
         import onnxruntime
 
         options = onnxruntime.SessionOptions()
