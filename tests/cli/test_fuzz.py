@@ -169,6 +169,8 @@ HARMLESS = {
     "run": ["--split", "no_such_split"],
     "dial": ["--split", "no_such_split"],
     "serve-perception": ["--port", "70000"],
+    "perception": ["--split", "no_such_split"],
+    "train": ["--homes", "0"],
     "bench": ["--episodes", "0"],
     "home": ["no_seed"],
     "episodes": ["--homes", "none"],

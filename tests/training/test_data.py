@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from worlds.filled import filled
 
 from uniteam.mind.perception.learned.crops import CROP_SIZE
 from uniteam.mind.perception.learned.kinds import Kind
@@ -25,13 +26,13 @@ def seen() -> tuple[list[View], list[Thing], list[CropRecord]]:
 
 def test_training_homes_hold_training_models_and_no_unseen_category() -> None:
     catalogue, home = load_catalogue(), training_home(2)
-    for instance in home.instances:
+    for instance in filled(home.instances):
         assert home.model_of(instance).pool == "train"
         assert instance.category not in catalogue.unseen_categories
 
 
 def test_views_are_the_same_stand_at_two_sizes(seen: tuple[list[View], list[Thing], list[CropRecord]]) -> None:
-    for view in seen[0]:
+    for view in filled(seen[0]):
         agree = view.fine.instances[::2, ::2] == view.half.instances
         assert agree.mean() > 0.9
         assert 1.0 < view.camera_to_start[2, 3] < 1.6

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from types import ModuleType
 from typing import Annotated, Literal
 
 import tyro
@@ -65,7 +66,7 @@ def _check(homes: int, proposal_homes: int, steps: int) -> None:
         raise InvalidInputError(f"--steps must be from 1 to {MOST_STEPS}, got {steps}")
 
 
-def _pipeline():  # type: ignore[no-untyped-def]
+def _pipeline() -> ModuleType:
     from importlib.util import find_spec
 
     lacking = [name for name in ("torch", "onnx", "onnxruntime") if find_spec(name) is None]

@@ -6,7 +6,14 @@ from typing import Any
 
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Agent
-from uniteam.mind.agents.registry import AGENTS, AgentContext, describe_agent, is_told_the_truth, make_agent
+from uniteam.mind.agents.registry import (
+    AGENTS,
+    AgentContext,
+    agent_config,
+    describe_agent,
+    is_told_the_truth,
+    make_agent,
+)
 from uniteam.mind.perception.registry import check_ready, needs_truth
 from uniteam.world.oracle.oracle import Oracle
 from uniteam.world.task.environment import Environment
@@ -70,12 +77,18 @@ def label_agents(
 
     Raises:
         UnknownNameError: an unknown agent, perception or improvement.
+        InvalidInputError: improvements, for agents none of which is made of a configuration that they could change.
         UniteamError: the perception needs something that is not installed.
     """
     check_ready(perception)
     labelled = {}
-    for name in names:
+    agents = tuple(names)
+    takes_improvements = [name for name in agents if agent_config(name) is not None]
+    for name in agents:
         plain = AgentSpec(name, perception)
+        if name not in takes_improvements and takes_improvements:
+            labelled[_label(plain)] = plain
+            continue
         effective = AgentSpec(
             name,
             perception,

@@ -68,7 +68,7 @@ def test_verify_place_takes_the_arm_out_of_the_picture_of_what_it_has_let_go() -
     world.joints = replace(MANIPULATION_POSTURE, arm=0.3)
     _, actions = play(world, INSTRUCTION, placing("verify_place").wait)
     assert world.joints.arm == 0.0
-    assert all(action is DiscreteAction.EMPTY_ACTION for action in filled(actions)[:10])
+    assert all(action is DiscreteAction.EMPTY_ACTION for action in filled(actions[:10]))
     seen = standing_beside(ON_TABLE)
     seen.joints = replace(MANIPULATION_POSTURE, arm=0.3)
     play(seen, INSTRUCTION, placing("verify_place").wait)
