@@ -18,7 +18,11 @@ EVALUATE = ("evaluate", "--agents", "random", "--split", "val", "--workers", "2"
 def start(folder: Path, *arguments: str) -> subprocess.Popen[str]:
     command = [sys.executable, "-m", "uniteam.cli.main", *arguments]
     pipe = subprocess.PIPE
-    return subprocess.Popen(command, cwd=folder, stdout=pipe, stderr=pipe, text=True, start_new_session=True)
+    heard = signal.signal(signal.SIGHUP, signal.SIG_DFL)  # a test run that `nohup` began would hand its deafness on
+    try:
+        return subprocess.Popen(command, cwd=folder, stdout=pipe, stderr=pipe, text=True, start_new_session=True)
+    finally:
+        signal.signal(signal.SIGHUP, heard)
 
 
 def wait_until_larger(path: Path, size: int) -> None:
