@@ -17,6 +17,11 @@ MOST_DETECTIONS = 200
 """Of one frame; the surest are kept."""
 
 
+def ranked(names: Sequence[str], scores: NDArray[np.floating]) -> tuple[tuple[str, float], ...]:
+    """Return a detection's candidates: the names with their scores, the highest first."""
+    return tuple(sorted(zip(names, map(float, scores), strict=True), key=lambda one: -one[1]))
+
+
 @dataclass(frozen=True)
 class Found:
     """One thing that a detector found.

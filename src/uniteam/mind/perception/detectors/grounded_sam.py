@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Detection, Observation
 from uniteam.mind.perception.detectors.boxes import keep_apart
-from uniteam.mind.perception.detectors.detector import DetectorFactory, Found, as_words
+from uniteam.mind.perception.detectors.detector import DetectorFactory, Found, as_words, ranked
 from uniteam.mind.perception.detectors.sam_masks import SamMasks, load_sam
 from uniteam.mind.perception.detectors.weights import Weights, device_of, from_hub, import_library
 from uniteam.registry import Family
@@ -69,11 +69,7 @@ class GroundedSam:
         likely = np.flatnonzero(best >= LEAST_SCORE)
         kept = likely[keep_apart(boxes[likely], best[likely], MOST_OVERLAP)[:MOST_BOXES]]
         masks = self.sam.masks(observation.rgb, boxes[kept])
-        return [Found(mask, _detection(names, scores[k])) for k, mask in zip(kept, masks, strict=True)]
-
-
-def _detection(names: tuple[str, ...], scores: NDArray[np.float32]) -> Detection:
-    return Detection(tuple(sorted(zip(names, map(float, scores), strict=True), key=lambda one: -one[1])))
+        return [Found(mask, Detection(ranked(names, scores[k]))) for k, mask in zip(kept, masks, strict=True)]
 
 
 @cache

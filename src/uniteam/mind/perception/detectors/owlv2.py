@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from uniteam.interface import Detection, Observation
 from uniteam.mind.perception.detectors.boxes import keep_apart, mask_of_box
-from uniteam.mind.perception.detectors.detector import DetectorFactory, Found, as_words
+from uniteam.mind.perception.detectors.detector import DetectorFactory, Found, as_words, ranked
 from uniteam.mind.perception.detectors.weights import Weights, device_of, from_hub, import_library
 from uniteam.registry import Family
 
@@ -53,9 +53,8 @@ def _corners(boxes: NDArray[np.float32], side: int) -> NDArray[np.float32]:
 
 
 def _detection(names: tuple[str, ...], scores: NDArray[np.float32], embedding: NDArray[np.float32]) -> Detection:
-    candidates = sorted(zip(names, map(float, scores), strict=True), key=lambda one: -one[1])
     norm = max(float(np.linalg.norm(embedding)), 1e-9)
-    return Detection(tuple(candidates), (embedding / norm).astype(np.float32))
+    return Detection(ranked(names, scores), (embedding / norm).astype(np.float32))
 
 
 @cache

@@ -25,7 +25,7 @@ class LearnedPerception:
         """Load the networks and the words.
 
         Raises:
-            InvalidInputError: ONNX Runtime is not installed.
+            UnavailableError: ONNX Runtime is not installed.
             DamagedFileError: a file of the package cannot be read.
         """
         self._eyes, self._asking = Eyes(), Asking(read_card(), load_words())
@@ -33,7 +33,7 @@ class LearnedPerception:
 
     @staticmethod
     def check_ready() -> None:
-        """Raise InvalidInputError where ONNX Runtime is not installed."""
+        """Raise UnavailableError where ONNX Runtime is not installed."""
         check_runtime()
 
     def reset(self, instruction: Instruction, seed: int) -> None:
