@@ -24,6 +24,7 @@ def train(
     homes: Annotated[int, tyro.conf.arg(metavar="N")] = 200,
     proposal_homes: Annotated[int, tyro.conf.arg(metavar="N")] = 40,
     steps: Annotated[int, tyro.conf.arg(metavar="N")] = 20_000,
+    start: Annotated[str, tyro.conf.arg(metavar="WEIGHTS")] = "imagenet",
     camera: Literal["half", "full"] = "half",
 ) -> None:
     """Make a network of perception `learned`: render views of training homes, train, judge, and write it.
@@ -38,6 +39,7 @@ def train(
         homes: How many training homes to render 60 views of; for the calibration, to look at.
         proposal_homes: In how many more homes the segmenter makes proposals for the namer to learn from.
         steps: How many steps to train, of 4 frames or 32 crops each.
+        start: What to begin with: imagenet, shipped (the networks of this package), or a folder of networks.
         camera: Of the calibration, images of 240x320 (half) or of 480x640 (full).
     """
     _check(homes, proposal_homes, steps)
@@ -49,7 +51,9 @@ def train(
         calibrate(work, homes, camera, console)
         return
     pipeline = _pipeline()
-    order = pipeline.Order(work, homes, proposal_homes, steps)
+    from uniteam.training.start import start_folder
+
+    order = pipeline.Order(work, homes, proposal_homes, steps, start_folder(start))
     make = pipeline.make_segmenter if part == "segmenter" else pipeline.make_namer
     with progress_of(console) as advance:
         figures = make(order, advance)

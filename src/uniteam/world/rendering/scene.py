@@ -1,7 +1,7 @@
 """A home as the camera sees it: stage, instances and extra parts, each of which can be moved, shown and hidden."""
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.world.assets.mesh import Mesh
-from uniteam.world.homes.home import Home
+from uniteam.world.homes.home import Home, Instance
 from uniteam.world.rendering.kernels.culling import may_be_seen, screen_bounds
 from uniteam.world.rendering.kernels.lighting import RoomLight, outdoor_light, pose_part, room_light
 from uniteam.world.rendering.kernels.scene_buffers import SceneBuffers, Workspace
@@ -23,8 +23,16 @@ Transform = NDArray[np.float64]
 MOST_TRIANGLES = 20_000_000
 """Of a home and all that stands in it: more would fill the memory."""
 
+MeshOf = Callable[[Home, Instance], RenderMesh]
+"""What is shown for an instance of a home."""
+
 _stage_mips = MipCache()
 """The few textures of floors and walls are prepared once a process, as the pack's models are."""
+
+
+def mesh_of_model(home: Home, instance: Instance) -> RenderMesh:
+    """Return the mesh of an instance's model; raises DamagedFileError."""
+    return load_render_mesh(home.model_of(instance))
 
 
 @dataclass(frozen=True)
@@ -45,12 +53,13 @@ class Scene:
     their instances, or by their keys in `parts`.
     """
 
-    def __init__(self, home: Home, parts: Mapping[str, Mesh] | None = None) -> None:
+    def __init__(self, home: Home, parts: Mapping[str, Mesh] | None = None, mesh_of: MeshOf = mesh_of_model) -> None:
         """Gather the geometry.
 
         Args:
             home: its stage and instances; the instance image shows indices into `home.instances`.
             parts: further meshes by name (the robot's links), at the world's origin until they are moved; label -1.
+            mesh_of: what is shown for an instance, in its model's frame.
 
         Raises:
             DamagedFileError: a file of the home's library, or the stage's mesh, cannot be read.
@@ -58,7 +67,7 @@ class Scene:
         """
         self.home = home
         stage = stage_parts(home.stage, home.library)
-        entries = _stage_entries(stage) + _instance_entries(home) + _extra_entries(parts or {})
+        entries = _stage_entries(stage) + _instance_entries(home, mesh_of) + _extra_entries(parts or {})
         self._meshes = tuple(entry.mesh for entry in entries)
         self._glowing = tuple(entry.is_glowing for entry in entries)
         self._lights = [room_light(room, home.stage.ceiling_height) for room in home.stage.rooms]
@@ -182,11 +191,8 @@ def _stage_entries(stage: tuple[StagePart, ...]) -> list[_Part]:
     ]
 
 
-def _instance_entries(home: Home) -> list[_Part]:
-    return [
-        _Part(instance.name, load_render_mesh(home.model_of(instance)), label)
-        for label, instance in enumerate(home.instances)
-    ]
+def _instance_entries(home: Home, mesh_of: MeshOf) -> list[_Part]:
+    return [_Part(instance.name, mesh_of(home, instance), label) for label, instance in enumerate(home.instances)]
 
 
 def _extra_entries(parts: Mapping[str, Mesh]) -> list[_Part]:
