@@ -14,8 +14,8 @@ from uniteam.mind.perception.learned.kinds import Kind
 from uniteam.mind.perception.learned.networks import check_runtime, read_card
 from uniteam.mind.perception.words.meaning import load_words
 
-LOWEST_SCORE = 0.02
-"""What is less likely than this is not given out."""
+HIGHEST_SCORE = 0.99
+"""Nothing that networks say is certain."""
 
 
 class LearnedPerception:
@@ -56,10 +56,13 @@ class LearnedPerception:
         return Segmentation(instances, detections)
 
     def _candidates(self, glimpse: Glimpse) -> tuple[tuple[str, float], ...]:
-        """Return the words that a glimpse may answer to with their scores, the likeliest first."""
-        scores = [(asked.word, self._asking.score(glimpse, asked)) for asked in self._asked]
-        likely = [(word, score) for word, score in scores if score >= LOWEST_SCORE]
-        return tuple(sorted(likely, key=lambda pair: -pair[1]))
+        """Return the words of a glimpse's kind with their scores, the likeliest first: low ones are evidence too."""
+        scores = [
+            (asked.word, min(self._asking.score(glimpse, asked), HIGHEST_SCORE))
+            for asked in self._asked
+            if asked.kind is glimpse.region.kind
+        ]
+        return tuple(sorted(scores, key=lambda pair: -pair[1]))
 
 
 def _at_size(mask: NDArray[np.bool_], shape: tuple[int, ...]) -> NDArray[np.bool_]:
