@@ -4,14 +4,17 @@ An agent that is told the truth plays episodes of training homes, and what a per
 whether it was right. A threshold is good where the first thing that it lets through in an episode is right.
 """
 
+import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.evaluation.episode_loop import play_episode
-from uniteam.interface import Detection, Instruction, Observation, Perception, Segmentation
+from uniteam.files import write_whole
+from uniteam.interface import Instruction, Observation, Perception, Segmentation
 from uniteam.mind.agents.config import AgentConfig
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
 from uniteam.mind.perception.instance_memory import Remember
@@ -85,6 +88,13 @@ def best_thresholds(episodes: Sequence[Beliefs]) -> dict[ClassRole, tuple[float,
     return found
 
 
+def write_thresholds(path: Path, found: Mapping[ClassRole, tuple[float, float]]) -> None:
+    """Write the file that `class_thresholds` reads, without any for single classes; raises UnwritableError."""
+    by_role = {role.name.lower(): threshold for role, (threshold, _) in found.items()}
+    content = {"by_role": by_role, "other": max(by_role.values()), "by_class": {}}
+    write_whole(path, (json.dumps(content, indent=2) + "\n").encode())
+
+
 def share_right_first(episodes: Sequence[Sequence[Belief]], threshold: float) -> float:
     """Return the share of episodes in which the first detection with at least a score is right."""
     firsts = (next((b.is_right for b in beliefs if b.score >= threshold), False) for beliefs in episodes)
@@ -111,12 +121,9 @@ def _beliefs(
 
 def _masks(segmentation: Segmentation, name: str) -> list[NDArray[np.bool_]]:
     """Return the masks of what bears a name."""
-    named = [index for index, detection in enumerate(segmentation.detections) if _is_called(detection, name)]
-    return [segmentation.instances == index for index in named]
-
-
-def _is_called(detection: Detection, name: str) -> bool:
-    return detection.name == name
+    return [
+        segmentation.instances == i for i, detection in enumerate(segmentation.detections) if detection.name == name
+    ]
 
 
 def _overlap(one: NDArray[np.bool_], other: NDArray[np.bool_]) -> float:

@@ -4,6 +4,8 @@ A segmenter says where things are, a namer what each of them is (see `docs/perce
 240x320; where the run's camera is finer, things are named from the finer frame.
 """
 
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,7 +13,7 @@ from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.learned.asking import Asked, Asking
 from uniteam.mind.perception.learned.eyes import Eyes, Glimpse
 from uniteam.mind.perception.learned.kinds import Kind
-from uniteam.mind.perception.learned.networks import check_runtime, read_card
+from uniteam.mind.perception.learned.networks import WEIGHTS, check_runtime, read_card
 from uniteam.mind.perception.words.meaning import load_words
 
 HIGHEST_SCORE = 0.99
@@ -21,14 +23,14 @@ HIGHEST_SCORE = 0.99
 class LearnedPerception:
     """Finds what the instruction names in colours and depth."""
 
-    def __init__(self) -> None:
-        """Load the networks and the words.
+    def __init__(self, weights: Path = WEIGHTS) -> None:
+        """Load the networks of a folder, those of the package by default, and the words.
 
         Raises:
             UnavailableError: ONNX Runtime is not installed.
             DamagedFileError: a file of the package cannot be read.
         """
-        self._eyes, self._asking = Eyes(), Asking(read_card(), load_words())
+        self._eyes, self._asking = Eyes(weights), Asking(read_card(weights), load_words())
         self._asked: tuple[Asked, ...] = ()
 
     @staticmethod
