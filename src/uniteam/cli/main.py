@@ -39,6 +39,10 @@ COMMANDS = {
         "play a split's episodes with one or more agents and print the challenge's table",
         "uniteam evaluate --agents baseline uniteam-plus --split minival",
     ),
+    "compare": Command(
+        "compare agents on the episodes that all have played, with intervals and tests of the paired differences",
+        "uniteam compare runs/val-truth-half-challenge:baseline runs/val-truth-half-challenge:uniteam",
+    ),
     "dial": Command(
         "play a split at several levels of perception's noise and draw success against noise",
         "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",
