@@ -43,6 +43,10 @@ COMMANDS = {
         "compare agents on the episodes that all have played, with intervals and tests of the paired differences",
         "uniteam compare runs/val-truth-half-challenge:baseline runs/val-truth-half-challenge:uniteam",
     ),
+    "merge": Command(
+        "make one run of the shards of a run",
+        "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
+    ),
     "dial": Command(
         "play a split at several levels of perception's noise and draw success against noise",
         "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",

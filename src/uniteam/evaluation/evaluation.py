@@ -1,18 +1,17 @@
 """Play a split's episodes with several agents in parallel, keeping every result as it comes."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import closing
-from itertools import chain, zip_longest
 from pathlib import Path
 from types import TracebackType
 
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.backends.processes import Lost, OutOfTime, WorkerProcesses
-from uniteam.evaluation.configuration import Run, resolve
+from uniteam.evaluation.configuration import Run, resolve, wanted_episodes
 from uniteam.evaluation.episode_loop import crashed_result
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.results.store import ResultStore
-from uniteam.evaluation.results.summary import Summary, summarize
+from uniteam.evaluation.results.summary import Summary, summarize, summarize_run
 from uniteam.evaluation.worker import Attempt, PlayerSetup, camera_named
 from uniteam.world.task.episode import Episode
 from uniteam.world.task.grasp_rules import grasp_rule_named
@@ -40,7 +39,7 @@ class Evaluation:
         if len(ids) < len(self.split.episodes):
             raise InvalidInputError(f"the split {run.split} holds two episodes of one id; give each an id of its own")
         self._configuration = resolve(run, self.split)
-        self._wanted = choose_episodes(self.split.episodes, run.episode_count)
+        self._wanted = wanted_episodes(run, self.split)
         self.store = ResultStore(directory, self._configuration, ids)
 
     def __enter__(self) -> "Evaluation":
@@ -69,9 +68,14 @@ class Evaluation:
         return [self.split.episodes[index] for index in self._wanted]
 
     def results(self) -> dict[str, list[EpisodeResult]]:
-        """Return, by agent, the results of the episodes that the run asks for, of every agent that has any."""
+        """Return the results of the episodes asked for, by agent in the configuration's order; agents with any only."""
         wanted = [episode.id for episode in self.wanted]
-        by_agent = {agent: [own[i] for i in wanted if i in own] for agent, own in self.store.results.items()}
+        played = self.store.results
+        by_agent = {
+            agent: [played[agent][i] for i in wanted if i in played[agent]]
+            for agent in self.store.agents
+            if agent in played
+        }
         return {agent: results for agent, results in by_agent.items() if results}
 
     def play(self, worker_count: int, on_result: OnResult, on_lost: OnLost) -> None:
@@ -103,9 +107,7 @@ class Evaluation:
 
     def write_summary(self) -> None:
         """Write the figures to `summary.json`; each agent's say what they are from."""
-        names = ("split", "split_version", "split_digest", "perception", "camera", "grasp", "version")
-        source = {**{name: self._configuration[name] for name in names}, "episodes_asked": len(self._wanted)}
-        self.store.write_summary({agent: {**source, **s.to_data()} for agent, s in self.summaries().items()})
+        self.store.write_summary(summarize_run(self._configuration, self.results(), len(self._wanted)))
 
     def _episode(self, attempt: Attempt) -> Episode:
         return self.split.episodes[attempt.episode]
@@ -114,12 +116,3 @@ class Evaluation:
 def _out_of_time(episode: Episode, outcome: OutOfTime) -> EpisodeResult:
     sentence = f"the agent took more than {outcome.seconds:g} s"
     return crashed_result(episode, f"ran out of time: {sentence}", f"No traceback: {sentence}.")
-
-
-def choose_episodes(episodes: Iterable[Episode], count: int | None) -> list[int]:
-    """Return the indices of the first `count` episodes, taken from the homes in turn so that a few show many homes."""
-    by_home: dict[str, list[int]] = {}
-    for index, episode in enumerate(episodes):
-        by_home.setdefault(episode.home, []).append(index)
-    in_turn = [index for index in chain.from_iterable(zip_longest(*by_home.values())) if index is not None]
-    return in_turn[:count]

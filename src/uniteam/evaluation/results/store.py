@@ -13,11 +13,12 @@ from pathlib import Path
 from typing import Any
 
 from uniteam.errors import DamagedFileError, InvalidInputError
+from uniteam.evaluation.results.differences import differences
 from uniteam.evaluation.results.journal import Journal
 from uniteam.evaluation.results.lock import FolderLock
 from uniteam.evaluation.results.reading import REMEDY, Results, read_configuration, read_results
 from uniteam.evaluation.results.result import EpisodeResult, result_to_line
-from uniteam.files import try_folder, write_whole
+from uniteam.files import try_folder, write_json
 
 
 class ResultStore:
@@ -58,7 +59,7 @@ class ResultStore:
         self.results: Results = read_results(self._journal.lines, self._journal.path, agents, episodes)
         self._lost = Journal(self.directory / "lost.jsonl")
         if recorded != {**configuration, "agents": agents}:
-            self._write("config.json", {**configuration, "agents": agents})
+            write_json(self.directory / "config.json", {**configuration, "agents": agents})
 
     def append(self, agent: str, result: EpisodeResult) -> None:
         """Record an episode's result; it is on the disk when this returns, or raises UnwritableError."""
@@ -72,14 +73,11 @@ class ResultStore:
 
     def write_summary(self, summary: Mapping[str, Any]) -> None:
         """Write `summary.json`; raises UnwritableError."""
-        self._write("summary.json", summary)
+        write_json(self.directory / "summary.json", summary)
 
     def close(self) -> None:
         """Let other processes have the directory."""
         self._lock.release()
-
-    def _write(self, name: str, data: Mapping[str, Any]) -> None:
-        write_whole(self.directory / name, (json.dumps(data, indent=2) + "\n").encode())
 
 
 def _check_same(directory: Path, recorded: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
@@ -87,29 +85,10 @@ def _check_same(directory: Path, recorded: Mapping[str, Any], wanted: Mapping[st
         return
     shared = {agent: own for agent, own in wanted["agents"].items() if agent in recorded["agents"]}
     try:
-        differences = _differences(recorded, {**wanted, "agents": {**recorded["agents"], **shared}})
+        found = differences(recorded, {**wanted, "agents": {**recorded["agents"], **shared}})
     except RecursionError:
-        differences = ["config.json is nested too deeply"]
-    if differences:
+        found = ["config.json is nested too deeply"]
+    if found:
         raise InvalidInputError(
-            f"{directory} holds results of another configuration ({'; '.join(differences[:5])}); {REMEDY}"
+            f"{directory} holds results of another configuration ({'; '.join(found[:5])}); {REMEDY}"
         )
-
-
-def _differences(recorded: Any, wanted: Any, path: str = "") -> list[str]:
-    """Return a phrase for each leaf that differs between two trees of plain data."""
-    if isinstance(recorded, dict) and isinstance(wanted, dict):
-        keys = sorted({*recorded, *wanted})
-        nested = (
-            _differences(recorded.get(key, "nothing"), wanted.get(key, "nothing"), f"{path}.{key}" if path else key)
-            for key in keys
-        )
-        return [phrase for phrases in nested for phrase in phrases]
-    if type(recorded) is type(wanted) and recorded == wanted:
-        return []
-    return [f"{path} was {_shown(recorded)} and is now {_shown(wanted)}"]
-
-
-def _shown(value: Any) -> str:
-    text = value if isinstance(value, str) else json.dumps(value)
-    return text if len(text) <= 60 else text[:57] + "..."
