@@ -47,6 +47,10 @@ COMMANDS = {
         "make one run of the shards of a run",
         "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
     ),
+    "ablate": Command(
+        "measure what each improvement is worth, alone, taken away and one after the other",
+        "uniteam ablate --split val --perception truth --episodes 100",
+    ),
     "dial": Command(
         "play a split at several levels of perception's noise and draw success against noise",
         "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",
@@ -82,7 +86,7 @@ COMMANDS = {
 
 _COLUMN = max(map(len, COMMANDS)) + 2
 
-TAKING_NAMES = ("evaluate", "dial", "run")
+TAKING_NAMES = ("evaluate", "ablate", "dial", "run")
 """Commands whose help lists the agents, the perceptions and the improvements."""
 
 USER_ERROR = 2

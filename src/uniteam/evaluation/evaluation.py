@@ -21,6 +21,11 @@ OnResult = Callable[[str, EpisodeResult], None]
 OnLost = Callable[[str, Episode, Lost], None]
 
 
+def home_of(episode: Episode) -> str:
+    """Return the home of an episode."""
+    return episode.home
+
+
 class Evaluation:
     """A run in its directory: what is there, and what is still to be played. Close it, or use it in a `with`."""
 
@@ -78,10 +83,23 @@ class Evaluation:
         }
         return {agent: results for agent, results in by_agent.items() if results}
 
-    def play(self, worker_count: int, on_result: OnResult, on_lost: OnLost) -> None:
+    def play(
+        self,
+        worker_count: int,
+        on_result: OnResult,
+        on_lost: OnLost,
+        group_of: Callable[[Episode], str] = home_of,
+    ) -> None:
         """Play what remains in `worker_count` processes and record each result as it comes.
 
         An attempt that was lost by no fault of the agent has no result: a later run plays it again.
+
+        Args:
+            worker_count: how many processes.
+            on_result: called with the agent and its result.
+            on_lost: called with the agent, the episode and why it came to nothing.
+            group_of: a worker goes on with an episode of the same group as long as it can, and then with the first of
+                the largest groups: by home, it opens few homes; by episode, all agents play one before the next.
 
         Raises:
             UniteamError: as raised in a worker.
@@ -90,7 +108,7 @@ class Evaluation:
         workers: WorkerProcesses[Attempt, EpisodeResult | Lost] = WorkerProcesses(
             PlayerSetup(self.run, self._configuration), worker_count, self.run.episode_seconds
         )
-        with closing(workers.do(self.remaining, lambda attempt: self._episode(attempt).home)) as outcomes:
+        with closing(workers.do(self.remaining, lambda attempt: group_of(self._episode(attempt)))) as outcomes:
             for attempt, outcome in outcomes:
                 episode = self._episode(attempt)
                 if isinstance(outcome, Lost):

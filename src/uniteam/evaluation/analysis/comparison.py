@@ -104,7 +104,8 @@ def _compared_rate(values: NDArray[np.float64], homes: Sequence[str]) -> Measure
     by_pairs = bonett_price(only_first, only_second, count)
     by_homes = interval_by_home(differences, homes, (-1.0, 1.0))
     p = mcnemar(only_first, only_second)
-    smallest = (smallest_rate_difference(count, (only_first + only_second) / count), _smallest_mean(differences, homes))
+    by_test = smallest_rate_difference(count, (only_first + only_second) / count)
+    by_error = _smallest_mean(differences, homes)
     return MeasureComparison(
         estimate_proportion(round(values[:, 0].sum()), count),
         estimate_proportion(round(values[:, 1].sum()), count),
@@ -113,7 +114,7 @@ def _compared_rate(values: NDArray[np.float64], homes: Sequence[str]) -> Measure
         only_second,
         p,
         p,
-        None if smallest[0] is None or smallest[1] is None else max(smallest[0], smallest[1]),
+        None if by_test is None or by_error is None else max(by_test, by_error),
     )
 
 
@@ -129,7 +130,7 @@ def _compared_mean(values: NDArray[np.float64], homes: Sequence[str], bounds: tu
         *_better(values),
         p,
         p,
-        _smallest_mean(differences, homes),
+        _smallest_mean(differences, homes) if differences.any() else None,
     )
 
 
@@ -138,5 +139,6 @@ def _better(values: NDArray[np.float64]) -> tuple[int, int]:
 
 
 def _smallest_mean(differences: NDArray[np.float64], homes: Sequence[str]) -> float | None:
+    """Return the smallest difference that the error over homes allows; None where those are too few."""
     count = len(set(homes))
     return smallest_mean_difference(error_by_home(differences, homes), count) if count >= FEWEST_HOMES else None
