@@ -1,6 +1,7 @@
 """`uniteam ablate`: what each improvement is worth."""
 
 from collections.abc import Mapping, Sequence
+from datetime import timedelta
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -121,7 +122,7 @@ def _cost(evaluation: Evaluation) -> str:
     if not seconds or not left:
         return words
     mean = sum(seconds) / len(seconds)
-    return f"{words} At {mean:.1f} s each, as so far, that is {left * mean / 3600.0:.1f} hours of one process."
+    return f"{words} At {mean:.1f} s each, as so far, that is {timedelta(seconds=round(left * mean))} of one process."
 
 
 def _counting_rounds(evaluation: Evaluation) -> Words:

@@ -51,6 +51,10 @@ COMMANDS = {
         "measure what each improvement is worth, alone, taken away and one after the other",
         "uniteam ablate --split val --perception truth --episodes 100",
     ),
+    "leaderboard": Command(
+        "score results anew from the line of each episode, by style and by seen and unseen",
+        "uniteam leaderboard results/val-truth-half-challenge",
+    ),
     "dial": Command(
         "play a split at several levels of perception's noise and draw success against noise",
         "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",
