@@ -49,7 +49,9 @@ def compare(
         )
     caption = _caption(contestants, folders, unlike)
     console = make_console()
-    for comparison in _comparisons(contestants):
+    with console.status("comparing"):
+        comparisons = _comparisons(contestants)
+    for comparison in comparisons:
         console.print(comparison_table(comparison, shown(caption), shown))
         console.print()
 

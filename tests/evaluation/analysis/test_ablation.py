@@ -8,7 +8,7 @@ from worlds.runs import result
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.analysis.ablation import measure_effects
 from uniteam.evaluation.analysis.ablation_plan import GROUPS, Effect, plan_ablation
-from uniteam.evaluation.analysis.ablation_table import ablation_markdown
+from uniteam.evaluation.analysis.ablation_table import ablation_markdown, enough_words
 from uniteam.evaluation.analysis.page_block import block_of, with_block
 from uniteam.evaluation.results.intervals import Estimate
 from uniteam.evaluation.statistics.significance import mcnemar
@@ -74,7 +74,17 @@ def test_effects_are_measured_on_the_episodes_that_both_have_played() -> None:
     assert measure.is_shown and not second.comparison.measures["overall_success"].is_shown
     low, high = (f"{100.0 * bound:+.0f}" for bound in (measure.difference.low, measure.difference.high))
     row = f"| {effects[0].improvement} | 30 | 16.7 | 56.7 | +40.0* ({low} to {high}) | 0, 12 | <.001 | "
-    assert row in ablation_markdown({"alone": [first, second]})
+    text = ablation_markdown({"alone": [first, second]})
+    assert row in text and text.count("enough to show a worth of 5 points for none of the 2.") == 2
+
+
+def test_it_is_said_for_how_many_improvements_there_are_episodes_enough() -> None:
+    effect = next(e for e in PLAN.effects if e.group == "alone")
+    results = {"baseline": {f"e{k:03d}": result(k, False) for k in range(200)}}
+    results[effect.with_] = {f"e{k:03d}": result(k, k == 7) for k in range(200)}
+    measured = measure_effects([effect], results, lambda: None)["alone"]
+    assert (measured[0].comparison.measures["overall_success"].smallest or 1.0) < 0.05
+    assert enough_words(measured, "overall_success").endswith("for all.")
 
 
 def test_a_block_of_a_page_is_replaced_and_all_else_stays() -> None:

@@ -21,11 +21,24 @@ WORDS = (
 )
 
 
+ENOUGH = 0.05
+"""A worth that a study should be large enough to show."""
+
+
+def enough_words(effects: Sequence[MeasuredEffect], measure: str) -> str:
+    """Return for how many of the effects there are episodes enough to show a worth of 5 points."""
+    least = [effect.comparison.measures[measure].smallest for effect in effects]
+    found = sum(value is not None and value <= ENOUGH for value in least)
+    which = "all" if found == len(least) else f"{found or 'none'} of the {len(least)}"
+    return f"There are episodes enough to show a worth of 5 points for {which}."
+
+
 def ablation_tables(measured: Mapping[str, Sequence[MeasuredEffect]], measure: str) -> list[Table]:
     """Return a table for each question, of one measure."""
     tables = []
     for group, effects in measured.items():
-        table = Table(title=f"{HEADINGS[measure]}: {GROUPS[group]}", title_justify="left", pad_edge=False)
+        title, words = f"{HEADINGS[measure]}: {GROUPS[group]}", enough_words(effects, measure)
+        table = Table(title=title, title_justify="left", caption=words, caption_justify="left", pad_edge=False)
         table.add_column(COLUMNS[0], no_wrap=True)
         for heading in ("w/o\nwith", "worth", "only w/o\nor with", "p", "least\nto show"):
             table.add_column(heading, justify="right", no_wrap=True)
@@ -48,6 +61,7 @@ def ablation_markdown(measured: Mapping[str, Sequence[MeasuredEffect]]) -> str:
             own = (f"{HEADINGS[measure]} {column}" for column in COLUMNS[2:5])
             head = " | ".join((*COLUMNS[:2], *own, *COLUMNS[5:]))
             parts.append("\n".join(f"| {row} |" for row in (head, " | ".join(["---"] * len(COLUMNS)), *rows)))
+            parts.append(enough_words(effects, measure))
     return "\n\n".join(parts)
 
 
