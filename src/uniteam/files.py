@@ -1,8 +1,10 @@
 """Files that last: tried before the work, replaced whole, on the disk when the call returns."""
 
+import json
 import os
 import tempfile
 from pathlib import Path
+from typing import Any
 
 from uniteam.errors import InvalidInputError, UniteamError
 
@@ -64,6 +66,11 @@ def write_whole(path: Path, content: bytes) -> None:
             _replace(target, content)
     except (OSError, ValueError) as error:
         raise UnwritableError(path, error) from error
+
+
+def write_json(path: Path, data: Any) -> None:
+    """Write plain data as JSON, as `write_whole` does; raises UnwritableError."""
+    write_whole(path, (json.dumps(data, indent=2) + "\n").encode())
 
 
 def _replace(path: Path, content: bytes) -> None:

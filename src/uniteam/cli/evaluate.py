@@ -16,6 +16,7 @@ from uniteam.evaluation.analysis.breakdown import Groups, grouped
 from uniteam.evaluation.analysis.table import Row, challenge_table
 from uniteam.evaluation.backends.capacity import allowed_cores, most_workers
 from uniteam.evaluation.configuration import Run
+from uniteam.evaluation.episode_choice import shard_named
 from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.results.summary import summarize
 
@@ -42,6 +43,7 @@ def evaluate(
     without: tuple[str, ...] = (),
     breakdown: Annotated[str | None, tyro.conf.arg(metavar="TAG")] = None,
     episode_seconds: Annotated[float, tyro.conf.arg(metavar="S")] = 3600.0,
+    shard: Annotated[str | None, tyro.conf.arg(metavar="I/N")] = None,
 ) -> None:
     """Play a split's episodes with one or more agents, in parallel, and print the challenge's table.
 
@@ -60,13 +62,15 @@ def evaluate(
         camera: Images of 240x320 (half) or of 480x640 (full).
         grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
             points at (honest).
-        out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA-GRASP by default.
+        out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA-GRASP by default, and for a shard its number behind.
         with_: Improvements to add to the agents that lack them: names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agents that have them, by name.
         breakdown: Add rows by what makes episodes differ: unseen (whether the object's category is in no training
             home), style, area, rooms, shortest_path, least_clearance, object_height, object_pixels, goals, same_class.
         episode_seconds: How long an episode may take; one that takes longer is ended, and fails if it was the agent
             that took so long.
+        shard: Play one part of N only, such as 2/4, into a folder of its own: the parts can be played at the same time
+            on several machines, and 'uniteam merge' makes one run of them.
     """
     check_at_least_one(episodes=episodes, workers=workers)
     if not agents:
@@ -77,7 +81,8 @@ def evaluate(
     console = make_console()
     with console.status("reading the split and the models"):
         labelled = label_agents(agents, perception, with_, without)
-        run = Run(split, labelled, perception, camera, grasp, episodes, episode_seconds)
+        part = None if shard is None else shard_named(shard)
+        run = Run(split, labelled, perception, camera, grasp, episodes, episode_seconds, part)
         opened = Evaluation(run, out or default_directory(run))
     with opened as evaluation:
         groups = {} if breakdown is None else grouped(evaluation.wanted, breakdown)
@@ -92,7 +97,8 @@ def evaluate(
 def default_directory(run: Run) -> Path:
     """Return the directory of a run that names none."""
     words = (Path(run.split).name.split(".")[0], as_folder(run.perception), run.camera, run.grasp)
-    return Path("runs") / "-".join(words)
+    part = () if run.shard is None else (f"shard-{run.shard.number}-of-{run.shard.count}",)
+    return Path("runs") / "-".join((*words, *part))
 
 
 def check_at_least_one(**counts: int | None) -> None:

@@ -39,6 +39,22 @@ COMMANDS = {
         "play a split's episodes with one or more agents and print the challenge's table",
         "uniteam evaluate --agents baseline uniteam-plus --split minival",
     ),
+    "compare": Command(
+        "compare agents on the episodes that all have played, with intervals and tests of the paired differences",
+        "uniteam compare runs/val-truth-half-challenge:baseline runs/val-truth-half-challenge:uniteam",
+    ),
+    "merge": Command(
+        "make one run of the shards of a run",
+        "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
+    ),
+    "ablate": Command(
+        "measure what each improvement is worth, alone, taken away and one after the other",
+        "uniteam ablate --split val --perception truth --episodes 100",
+    ),
+    "leaderboard": Command(
+        "score results anew from the line of each episode, by style and by seen and unseen",
+        "uniteam leaderboard results/val-truth-half-challenge",
+    ),
     "dial": Command(
         "play a split at several levels of perception's noise and draw success against noise",
         "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",
@@ -74,7 +90,7 @@ COMMANDS = {
 
 _COLUMN = max(map(len, COMMANDS)) + 2
 
-TAKING_NAMES = ("evaluate", "dial", "run")
+TAKING_NAMES = ("evaluate", "ablate", "dial", "run")
 """Commands whose help lists the agents, the perceptions and the improvements."""
 
 USER_ERROR = 2
