@@ -23,8 +23,11 @@ def counting(console: Console, what: str, total: int) -> Iterator[Callable[[], N
         yield lambda: progress.advance(bar)
 
 
-def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console) -> list[str]:
-    """Play what remains under a progress bar that counts the successes so far; return why episodes were lost."""
+def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console, record: str | None = None) -> list[str]:
+    """Play what remains under a progress bar that counts the successes so far; return why episodes were lost.
+
+    What `record` asks for is recorded, as `Evaluation.play` says.
+    """
     remaining, total = len(evaluation.remaining), len(evaluation.attempts)
     directory = shown(evaluation.store.directory)
     if remaining < total:
@@ -58,7 +61,7 @@ def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console) 
             log(agent, episode.id, f"lost: {outcome.reason}")
 
         try:
-            evaluation.play(worker_count, advance, note_lost)
+            evaluation.play(worker_count, advance, note_lost, record)
         except KeyboardInterrupt as stop:
             kept = total - len(evaluation.remaining)
             progress.update(bar, description="stopped")
