@@ -167,8 +167,8 @@ def _report_recordings(evaluation: Evaluation, order: RecordingOrder, console: C
     console.print(f"Recordings: {len(sizes)}{size}, in {shown(order.folder)}.", soft_wrap=True)
     if len(sizes) < len(asked):
         console.print(
-            f"[yellow]{len(asked) - len(sizes)} episodes have results but no recordings: they were played before without "
-            "--record, or ended by their time.[/] To record one of them, play it with 'uniteam run --record FILE'.",
+            f"[yellow]{len(asked) - len(sizes)} episodes have results but no recordings: they were played before "
+            "without --record, or ended by their time.[/] To record one of them, play it with 'uniteam run --record FILE'.",
             soft_wrap=True,
         )
 

@@ -29,8 +29,8 @@ def replay_check(
 ) -> None:
     """Let an agent decide again upon what it saw in a recording, and name the first step at which it decides otherwise.
 
-    Nothing is simulated: the camera draws again, to the bit, what the agent saw. Exits with 0 where every decision is the
-    same: action, state and reason.
+    Nothing is simulated: the camera draws again, to the bit, what the agent saw. Exits with 0 where every decision is
+    the same: action, state and reason.
 
     Args:
         file: A recording that `uniteam evaluate --record` or `uniteam run --record` wrote.

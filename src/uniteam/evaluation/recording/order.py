@@ -70,7 +70,7 @@ def recording_path(folder: Path, agent: str, episode: str) -> Path:
 def forget_recording(path: Path) -> None:
     """Remove a recording, and what a process that was killed had begun of it; raises UnwritableError.
 
-    An episode that is played has no result, so a recording of it is of a run that was killed before the result was kept.
+    What is to be played has no result: a recording of it is of a run that was killed before the result was kept.
     """
     try:
         for old in (path, *path.parent.glob(f"{path.name}.*.partial")):

@@ -5,7 +5,7 @@ Each agent has a folder, as an experiment has there, with `episode_results.json`
 """
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from statistics import fmean
 
@@ -63,5 +63,5 @@ def aggregated(episodes: Sequence[Measured]) -> dict[str, float]:
         for name, value in episode.items():
             if isinstance(value, float):
                 values.setdefault(name, []).append(value)
-    kinds = {"mean": fmean, "min": min, "max": max}
+    kinds: dict[str, Callable[[Sequence[float]], float]] = {"mean": fmean, "min": min, "max": max}
     return dict(sorted((f"{name}/total/{kind}", of(own)) for name, own in values.items() for kind, of in kinds.items()))
