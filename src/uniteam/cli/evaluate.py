@@ -168,7 +168,7 @@ def _report_recordings(evaluation: Evaluation, order: RecordingOrder, console: C
     if len(sizes) < len(asked):
         console.print(
             f"[yellow]{len(asked) - len(sizes)} episodes have results but no recordings: they were played before "
-            "without --record, or ended by their time.[/] To record one of them, play it with 'uniteam run --record FILE'.",
+            "without --record, or ended by their time.[/] 'uniteam run --record FILE' records one of them.",
             soft_wrap=True,
         )
 
