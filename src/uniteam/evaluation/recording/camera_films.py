@@ -4,7 +4,7 @@ import numpy as np
 
 from uniteam.evaluation.recording.depth_code import encode_depth
 from uniteam.evaluation.recording.label_video import LabelEncoder
-from uniteam.evaluation.recording.video import COLOUR, SMALL_BYTES, VideoEncoder
+from uniteam.evaluation.recording.video import BYTES, COLOUR, VideoEncoder
 from uniteam.interface import Observation, Segmentation
 
 COLOUR_FILM, DEPTH_FILM = "camera/colour.mp4", "camera/depth.mp4"
@@ -19,7 +19,7 @@ class CameraFilms:
         """Begin the films of a camera of `height` and `width` (px)."""
         self._nothing = Segmentation(np.full((height, width), -1, np.int16), ())
         self._colour = VideoEncoder(COLOUR, height, width)
-        self._depth = VideoEncoder(SMALL_BYTES, *encode_depth(np.zeros((height, width), np.float32)).shape)
+        self._depth = VideoEncoder(BYTES, *encode_depth(np.zeros((height, width), np.float32)).shape)
         self._segmentation = LabelEncoder(height, width)
 
     def add(self, seen: Observation, segmentation: Segmentation | None) -> None:

@@ -21,7 +21,7 @@ from uniteam.evaluation.recording.label_video import decode_labels
 from uniteam.evaluation.recording.map_track import read_maps
 from uniteam.evaluation.recording.pose_track import PoseTrack
 from uniteam.evaluation.recording.step_line import RecordedStep, step_from_line
-from uniteam.evaluation.recording.video import COLOUR, SMALL_BYTES, decode_video
+from uniteam.evaluation.recording.video import BYTES, COLOUR, decode_video
 from uniteam.evaluation.results.result import EpisodeResult, result_from_line
 from uniteam.geometry import BasePose
 from uniteam.interface import Joints, MapOverlay, Segmentation
@@ -147,7 +147,7 @@ class Recording:
         with self._reading():
             films = (
                 decode_video(contents[COLOUR_FILM], COLOUR, *size),
-                decode_video(contents[DEPTH_FILM], SMALL_BYTES, *half),
+                decode_video(contents[DEPTH_FILM], BYTES, *half),
                 decode_labels(contents[LABEL_FILM], contents.get(HIGH_LABEL_FILM, b""), *size),
             )
             detections = (*(step.detections for step in self.steps), None)[: len(self._rows["robot/joints"])]

@@ -51,11 +51,8 @@ _CABAC = {"preset": "ultrafast", "x264-params": "cabac=1:deblock=0,0:no-deblock=
 COLOUR = VideoKind("rgb24", "yuv420p", {**_CABAC, "crf": "25", "maxrate": "120k", "bufsize": "600k"}, _in_planes)
 """With losses, hardly seen but where much changes at once: no more than 1,500 bytes an image on average."""
 
-BYTES = VideoKind("gray", "gray", {"preset": "ultrafast", "qp": "0"})
+BYTES = VideoKind("gray", "gray", {**_CABAC, "qp": "0"})
 """Every byte comes back."""
-
-SMALL_BYTES = VideoKind("gray", "gray", {"preset": "superfast", "qp": "0"})
-"""Every byte comes back; smaller for what has slopes in it, and slower."""
 
 
 class VideoEncoder:
