@@ -28,7 +28,6 @@ def _distances() -> NDArray[np.float32]:
 def _bytes_of_halves() -> NDArray[np.uint8]:
     """Return the byte for each of the 65,536 half-precision numbers, which are finer than the bytes."""
     halves = np.arange(1 << 16, dtype=np.uint32).astype(np.uint16).view(np.float16).astype(np.float64)
-    halves[np.isinf(halves)] = DEPTH_RANGE  # what is too far for half precision
     is_depth = halves > 0.0
     shares = np.log(np.where(is_depth, halves, 1.0) / NEAREST) / np.log(DEPTH_RANGE / NEAREST)
     return np.where(is_depth, 1.0 + np.clip(np.rint(shares * (_LEVELS - 1)), 0, _LEVELS - 1), 0).astype(np.uint8)
