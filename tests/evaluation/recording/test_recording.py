@@ -90,7 +90,7 @@ def test_it_holds_the_truth_at_every_moment(played: Played, recording: Recording
         assert recording.base_to_world(moment) == simulator.base
         assert recording.base_to_start(moment) == observation.base_to_start
         poses = recording.objects.at(moment)
-        assert all(np.array_equal(poses[name], simulator.object_pose(name)) for name in simulator.physics.names)
+        assert all(np.array_equal(poses[name], simulator.object_pose(name)) for name in filled(simulator.physics.names))
         frame = simulator.render().instances
         seen = {name: int(np.count_nonzero(frame == k)) for k, name in enumerate(names) if k in frame}
         assert {n: int(p) for n in names if (p := recording.visible_pixels(n)[moment])} == seen
