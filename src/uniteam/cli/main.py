@@ -63,6 +63,10 @@ COMMANDS = {
         "play one episode, narrated, and film it",
         "uniteam run --agent uniteam-plus --split minival --episode 0 --video episode.mp4",
     ),
+    "replay-check": Command(
+        "ask an agent again upon what a recording saw, and name the first step that differs",
+        "uniteam replay-check episode.zip --without edge_margin",
+    ),
     "serve-perception": Command(
         "serve a perception to agents on other machines", "uniteam serve-perception owlv2 --port 8712"
     ),
@@ -90,7 +94,7 @@ COMMANDS = {
 
 _COLUMN = max(map(len, COMMANDS)) + 2
 
-TAKING_NAMES = ("evaluate", "ablate", "dial", "run")
+TAKING_NAMES = ("evaluate", "ablate", "dial", "run", "replay-check")
 """Commands whose help lists the agents, the perceptions and the improvements."""
 
 USER_ERROR = 2

@@ -38,6 +38,7 @@ def play_under_bar(
     console: Console,
     make_words: Callable[[Evaluation], Words] = counting_successes,
     group_of: Callable[[Episode], str] = home_of,
+    record: str | None = None,
 ) -> list[str]:
     """Play what remains under a progress bar; return why episodes were lost.
 
@@ -47,6 +48,7 @@ def play_under_bar(
         console: to show the bar on.
         make_words: of the evaluation, what stands beside the bar.
         group_of: as `Evaluation.play` takes it.
+        record: which episodes to record, as `Evaluation.play` takes it.
     """
     remaining, total = len(evaluation.remaining), len(evaluation.attempts)
     directory = shown(evaluation.store.directory)
@@ -81,7 +83,7 @@ def play_under_bar(
             log(agent, episode.id, f"lost: {outcome.reason}")
 
         try:
-            evaluation.play(worker_count, advance, note_lost, group_of)
+            evaluation.play(worker_count, advance, note_lost, group_of, record)
         except KeyboardInterrupt as stop:
             kept = total - len(evaluation.remaining)
             progress.update(bar, description="stopped")

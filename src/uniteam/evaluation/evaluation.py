@@ -9,13 +9,19 @@ from uniteam.errors import InvalidInputError
 from uniteam.evaluation.backends.processes import Lost, OutOfTime, WorkerProcesses
 from uniteam.evaluation.configuration import Run, resolve, wanted_episodes
 from uniteam.evaluation.episode_loop import crashed_result
+from uniteam.evaluation.recording.order import RECORDINGS, RecordingOrder, recording_order
+from uniteam.evaluation.results.home_robot import write_home_robot_results
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.results.store import ResultStore
 from uniteam.evaluation.results.summary import Summary, summarize, summarize_run
 from uniteam.evaluation.worker import Attempt, PlayerSetup, camera_named
+from uniteam.files import file_name
 from uniteam.world.task.episode import Episode
 from uniteam.world.task.grasp_rules import grasp_rule_named
 from uniteam.world.task.splits import load_split
+
+HOME_ROBOT = "home-robot"
+"""The folder of a run that holds the results as HomeRobot's evaluator writes them, by agent."""
 
 OnResult = Callable[[str, EpisodeResult], None]
 OnLost = Callable[[str, Episode, Lost], None]
@@ -89,24 +95,26 @@ class Evaluation:
         on_result: OnResult,
         on_lost: OnLost,
         group_of: Callable[[Episode], str] = home_of,
+        record: str | None = None,
     ) -> None:
-        """Play what remains in `worker_count` processes and record each result as it comes.
+        """Play what remains in `worker_count` processes and keep each result as it comes.
 
         An attempt that was lost by no fault of the agent has no result: a later run plays it again.
 
         Args:
             worker_count: how many processes.
-            on_result: called with the agent and its result.
-            on_lost: called with the agent, the episode and why it came to nothing.
+            on_result: is told each result, once it is on the disk.
+            on_lost: is told what was lost.
             group_of: a worker goes on with an episode of the same group as long as it can, and then with the first of
-                the largest groups: by home, it opens few homes; by episode, all agents play one before the next.
+                those left.
+            record: which episodes to record: "all", "failures", how many of the first ones, or None for none.
 
         Raises:
             UniteamError: as raised in a worker.
             UnwritableError: a result cannot be written.
         """
         workers: WorkerProcesses[Attempt, EpisodeResult | Lost] = WorkerProcesses(
-            PlayerSetup(self.run, self._configuration), worker_count, self.run.episode_seconds
+            PlayerSetup(self.run, self._configuration, self.recordings(record)), worker_count, self.run.episode_seconds
         )
         with closing(workers.do(self.remaining, lambda attempt: group_of(self._episode(attempt)))) as outcomes:
             for attempt, outcome in outcomes:
@@ -119,13 +127,20 @@ class Evaluation:
                 self.store.append(attempt.agent, result)
                 on_result(attempt.agent, result)
 
+    def recordings(self, record: str | None) -> RecordingOrder:
+        """Return what `play` would record, and where; raises InvalidInputError where `record` is no such wish."""
+        return recording_order(record, self.store.directory / RECORDINGS, [episode.id for episode in self.wanted])
+
     def summaries(self) -> dict[str, Summary]:
         """Return the figures of every agent over the episodes that the run asks for."""
         return {agent: summarize(results) for agent, results in self.results().items()}
 
     def write_summary(self) -> None:
-        """Write the figures to `summary.json`; each agent's say what they are from."""
+        """Write the figures to `summary.json`, each agent's with what they are from, and the files of HomeRobot."""
         self.store.write_summary(summarize_run(self._configuration, self.results(), len(self._wanted)))
+        numbers = {episode.id: number for number, episode in enumerate(self.split.episodes)}
+        for agent, results in self.results().items():
+            write_home_robot_results(self.store.directory / HOME_ROBOT / file_name(agent), results, numbers)
 
     def _episode(self, attempt: Attempt) -> Episode:
         return self.split.episodes[attempt.episode]

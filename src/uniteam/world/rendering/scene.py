@@ -105,9 +105,10 @@ class Scene:
         return self._brought_up_to_date(self._buffers.part_visible)
 
     def buffers_in_view(self, projection: NDArray[np.float32], height: int, width: int) -> SceneBuffers:
-        """Return the arrays, with every part that may be in a picture where it was last moved to.
+        """Return the arrays, with every part that may be in a picture where it was last moved to, and others hidden.
 
-        The robot moves in nearly every frame, and its own camera sees little of it.
+        The robot moves in nearly every frame, and its own camera sees little of it. A part that stays where it was is
+        hidden, for there it may be in the picture.
 
         Args:
             projection: (3, 4) from the world to pixel coordinates times depth.
@@ -120,7 +121,10 @@ class Scene:
             if may_be[index]:
                 mesh, from_model = self._meshes[index], _after(projection, self._poses[index])
                 may_be[index] = may_be_seen(mesh.vertices, mesh.triangles, from_model, width, height)
-        return self._brought_up_to_date(may_be)
+        buffers = self._brought_up_to_date(may_be)
+        shown = buffers.part_visible.copy()
+        shown[list(self._stale)] = False
+        return buffers._replace(part_visible=shown)
 
     def _brought_up_to_date(self, is_wanted: NDArray[np.bool_]) -> SceneBuffers:
         for index in sorted(index for index in self._stale if is_wanted[index]):
