@@ -1,5 +1,7 @@
 """From which score on to believe, by what came first in whole searches."""
 
+from pathlib import Path
+
 import pytest
 from worlds.box_world import Box, observe
 
@@ -7,7 +9,14 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.instance_memory import forget_instances
 from uniteam.mind.perception.vocabulary import ClassRole
-from uniteam.training.first_beliefs import Belief, BesideTheTruth, best_thresholds, share_right_first
+from uniteam.mind.perception.threshold_file import read_thresholds
+from uniteam.training.first_beliefs import (
+    Belief,
+    BesideTheTruth,
+    best_thresholds,
+    share_right_first,
+    write_thresholds,
+)
 
 INSTRUCTION = Instruction("cup", "table", "bed")
 TABLE = Box((1.0, -0.5, 0.0), (1.6, 0.5, 0.7), "table")
@@ -73,3 +82,10 @@ def test_the_threshold_lies_in_the_middle_of_those_that_are_best() -> None:
     for role in ClassRole:
         threshold, share = found[role]
         assert share == 1.0 and threshold == pytest.approx(0.55, abs=0.03)
+
+
+def test_fitted_thresholds_take_the_place_of_the_packages_and_fall_as_they_do(tmp_path: Path) -> None:
+    write_thresholds(tmp_path / "thresholds.json", {role: (0.2 + 0.1 * role, 0.9) for role in ClassRole})
+    fitted = read_thresholds(tmp_path / "thresholds.json")
+    assert [fitted.by_role[role] for role in ClassRole] == pytest.approx([0.2, 0.3, 0.4])
+    assert fitted.falls == read_thresholds().falls and fitted.falls

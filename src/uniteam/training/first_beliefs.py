@@ -18,6 +18,7 @@ from uniteam.interface import Instruction, Observation, Perception, Segmentation
 from uniteam.mind.agents.config import AgentConfig
 from uniteam.mind.agents.heuristic_agent import HeuristicAgent
 from uniteam.mind.perception.instance_memory import Remember
+from uniteam.mind.perception.threshold_file import THRESHOLD_FILE
 from uniteam.mind.perception.truth import TruthPerception
 from uniteam.mind.perception.vocabulary import ClassRole, class_names
 from uniteam.world.task.environment import Environment
@@ -89,9 +90,9 @@ def best_thresholds(episodes: Sequence[Beliefs]) -> dict[ClassRole, tuple[float,
 
 
 def write_thresholds(path: Path, found: Mapping[ClassRole, tuple[float, float]]) -> None:
-    """Write the file that `class_thresholds` reads, without any for single classes; raises UnwritableError."""
+    """Write the file that `class_thresholds` reads: the package's own with other thresholds; raises UnwritableError."""
     by_role = {role.name.lower(): threshold for role, (threshold, _) in found.items()}
-    content = {"by_role": by_role, "other": max(by_role.values()), "by_class": {}}
+    content = {**json.loads(THRESHOLD_FILE.read_text(encoding="utf-8")), "by_role": by_role, "by_class": {}}
     write_whole(path, (json.dumps(content, indent=2) + "\n").encode())
 
 

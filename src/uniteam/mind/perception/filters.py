@@ -19,19 +19,19 @@ Filter = Callable[[Segmentation, Observation, Instruction], Segmentation]
 
 @dataclass(frozen=True)
 class Fall:
-    """How thresholds fall while an episode goes on: who has searched for long should believe less evidence.
+    """How a threshold falls while an episode goes on: who has searched for long should do with less evidence.
 
     Attributes:
-        first_step, last_step: between these steps they fall in a straight line, before and after they do not.
-        to: the share of each threshold that is left in the end.
+        first_step, last_step: between these steps it falls in a straight line, before and after it does not.
+        to: the share of it that is left in the end.
     """
 
-    first_step: int = 0
-    last_step: int = 1
-    to: float = 1.0
+    first_step: int
+    last_step: int
+    to: float
 
     def share(self, step: int) -> float:
-        """Return which share of the thresholds is left at a step."""
+        """Return which share of the threshold is left at a step."""
         return float(np.interp(step, (self.first_step, self.last_step), (1.0, self.to)))
 
 
@@ -39,19 +39,19 @@ class Fall:
 class Thresholds:
     """The lowest score that is believed, by what a class is to the instruction, or by its name where that is known.
 
-    The baseline has one for everything, UniTeam's `class_thresholds` one for each role, which falls.
+    The baseline has one for everything, UniTeam's `class_thresholds` one for each role, which may fall.
 
     Attributes:
         by_role: of the instruction's classes.
         other: of every other class.
         by_class: of single classes; goes before the others.
-        fall: how all of them fall with the steps; they do not where it is left out.
+        falls: how those of a role fall with the steps; of a role that is left out they do not.
     """
 
     by_role: Mapping[ClassRole, float]
     other: float
     by_class: Mapping[str, float] = field(default_factory=dict)
-    fall: Fall = field(default_factory=Fall)
+    falls: Mapping[ClassRole, Fall] = field(default_factory=dict)
 
     @staticmethod
     def single(threshold: float) -> "Thresholds":
@@ -61,8 +61,11 @@ class Thresholds:
     def of(self, name: str, instruction: Instruction, step: int = 0) -> float:
         """Return the threshold of a class at a step; the lowest of its roles' where it plays several."""
         roles = roles_of_name(name, instruction)
-        of_role = min((self.by_role[role] for role in roles), default=self.other)
-        return self.by_class.get(name, of_role) * self.fall.share(step)
+        of_roles = (self.by_class.get(name, self.by_role[role]) * self._share(role, step) for role in roles)
+        return min(of_roles, default=self.by_class.get(name, self.other))
+
+    def _share(self, role: ClassRole, step: int) -> float:
+        return self.falls[role].share(step) if role in self.falls else 1.0
 
 
 @dataclass(frozen=True)
