@@ -8,8 +8,8 @@ from worlds.box_world import Box, observe
 from uniteam.geometry import BasePose
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.instance_memory import forget_instances
-from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.perception.threshold_file import read_thresholds
+from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.training.first_beliefs import (
     Belief,
     BesideTheTruth,
