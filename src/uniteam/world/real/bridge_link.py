@@ -158,7 +158,8 @@ class BridgeLink:
                     f"the robot has taken no velocity for {self._patience.obey:g} s; see that port 4402 is not barred"
                 )
             if now - sent_at >= self._pace.command:
-                self._channel.send({"base_velocity": velocity(drive.speed())})
+                speed = 0.0 if self._channel.is_uncertain else drive.speed()
+                self._channel.send({"base_velocity": velocity(speed)})
                 sent_at = now
             yield message.state
 

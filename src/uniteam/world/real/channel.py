@@ -70,6 +70,11 @@ class Channel:
         """Return the time (s)."""
         return self._clock.now()
 
+    @property
+    def is_uncertain(self) -> bool:
+        """Whether the newest state is so old that a base had better wait for the next."""
+        return self.now() - self._state_at > self._stale / 2
+
     def tick(self) -> StateMessage:
         """Let a moment pass and return the newest state.
 

@@ -42,7 +42,7 @@ class Patience:
 
     connect: float = 10.0
     acknowledge: float = 8.0
-    obey: float = 1.5
+    obey: float = 1.0
     mode: float = 20.0
     motion: float = 20.0
     stall: float = 2.0
