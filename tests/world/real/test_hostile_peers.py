@@ -1,4 +1,4 @@
-"""Whatever the other side sends while the base drives: no code runs, the base is told to stop, one sentence says why."""
+"""Whatever a peer sends while the base drives: no code runs, the base is told to stop, one sentence says why."""
 
 import os
 import pickle
