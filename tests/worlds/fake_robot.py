@@ -24,6 +24,7 @@ from uniteam.world.real.link import Clock
 from uniteam.world.real.pace import Pace, Patience
 from uniteam.world.real.safety import SafetyLimits
 from uniteam.world.real.stretch_robot import StretchRobot, Watcher
+from uniteam.world.real.system_clock import SystemClock
 from uniteam.world.simulation.simulator import Simulator
 
 SMALL_CAMERA = PinholeCamera.from_horizontal_fov(96, 128, np.radians(42.0))
@@ -34,6 +35,8 @@ QUICK = Dials(agility=AGILITY, image_hz=30.0)
 LIMITS = SafetyLimits(speed=0.6, turn_speed=1.6)
 PACE = Pace(poll=0.01, command=0.03, gain=6.0, rest=0.1, settle=0.02)
 HASTY = Patience(connect=3.0, acknowledge=2.0, obey=1.0, mode=3.0, motion=8.0, stall=0.6, picture=2.0, recover=0.6)
+UNHURRIED = replace(HASTY, connect=20.0, acknowledge=10.0, obey=3.0, mode=10.0, stall=2.0, picture=10.0, recover=3.0)
+"""For real time, on a machine that has little of it."""
 
 
 def simulator(folder: Path) -> Simulator:
@@ -48,8 +51,9 @@ def bridge(world: Simulator, dials: Dials = QUICK) -> FakeBridge:
 
 def body(wire: Wire, clock: Clock, limits: SafetyLimits = LIMITS, watchers: tuple[Watcher, ...] = ()) -> StretchRobot:
     """Return a body that has been connected."""
-    channel = Channel(wire, clock, limits.stale, PACE, HASTY)
-    return StretchRobot(BridgeLink(channel, limits, PACE, HASTY), limits, watchers)
+    patience = UNHURRIED if isinstance(clock, SystemClock) else HASTY
+    channel = Channel(wire, clock, limits.stale, PACE, patience)
+    return StretchRobot(BridgeLink(channel, limits, PACE, patience), limits, watchers)
 
 
 def lockstep_body(side: FakeBridge, limits: SafetyLimits = LIMITS, truth_of: TruthOf = no_truth) -> StretchRobot:

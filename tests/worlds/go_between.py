@@ -65,11 +65,6 @@ class GoBetween:
         """Return the velocity that was sent last."""
         return next(action["base_velocity"] for _, action in reversed(self.actions) if "base_velocity" in action)
 
-    def seconds_until_stop(self) -> float:
-        """Return how long after spoiling began the base was told to stop (s)."""
-        stops = (at for at, action in self.actions if action.get("base_velocity") == {"v": 0.0, "w": 0.0})
-        return next(at for at in stops if at > self.spoils_from) - self.spoils_from
-
     def _pass_action(self) -> None:
         message = self._from_driver.recv()
         action = pickle.loads(message)

@@ -92,7 +92,8 @@ def test_no_payload_runs_wherever_it_is_hidden(nested: Any, protocol: int, tmp_p
 
 
 @pytest.mark.parametrize(
-    "function", [eval, exec, open, getattr, __import__, np.load, np.fromfile, np.frombuffer, np.array, pickle.loads, list]
+    "function",
+    [eval, exec, open, getattr, __import__, np.load, np.fromfile, np.frombuffer, np.array, pickle.loads, list],
 )
 def test_nothing_but_numpys_own_constructors_may_be_called(function: Any) -> None:
     said = refusal(pickle.dumps(Payload(function, "1")))

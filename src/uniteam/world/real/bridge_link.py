@@ -135,7 +135,7 @@ class BridgeLink:
 
     def _follow(self, drive: Drive, velocity: Callable[[float], dict[str, float]]) -> Iterator[RobotState]:
         """Drive the base until it is where it was sent, or something is in its way."""
-        for _ in range(3):  # delays make it overshoot, by less each time
+        for _ in range(3):
             yield from self._approach(drive, velocity)
             yield from self._asked({"base_velocity": velocity(0.0)})
             yield from self._until_rest(lambda state: False)

@@ -118,8 +118,8 @@ class Channel:
         while self.state.step < step:
             if self.now() - began > self._patience.acknowledge:
                 raise SilentRobotError(
-                    f"the robot did not acknowledge {', '.join(action)} in {self._patience.acknowledge:g} s; see "
-                    " that its bridge still runs, and that port 4402 is not barred"
+                    f"the robot did not acknowledge {next(iter(action))} in {self._patience.acknowledge:g} s; see "
+                    "that its bridge still runs, and that port 4402 is not barred"
                 )
             if self.now() - sent_at >= self._pace.resend:
                 self._wire.send(message)
