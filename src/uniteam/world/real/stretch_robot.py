@@ -2,7 +2,6 @@
 
 import logging
 from collections.abc import Callable, Iterable, Iterator
-from typing import Protocol
 
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import BasePose, invert_transform
@@ -23,11 +22,8 @@ Watcher = Callable[[RobotState], None]
 """Sees every state during a motion; what it raises stops the robot."""
 
 
-class Announcer(Protocol):
-    """Is told of every motion before it is begun."""
-
-    def __call__(self, motion: Motion, refusal: str) -> None:
-        """Take a motion, and why it will not be done; the second is empty where it will be."""
+Announcer = Callable[[Motion, str], None]
+"""Is told of every motion before it is begun, and why it will not be done; that is empty where it will be."""
 
 
 def _say_nothing(motion: Motion, refusal: str) -> None:
