@@ -127,3 +127,18 @@ def test_a_robot_that_only_repeats_itself_is_not_driven_for_long(side: FakeBridg
     error, seconds = driven(side, again, kept)
     assert "has taken no velocity" in str(error) or "did not acknowledge" in str(error)
     assert seconds < 1.1
+
+
+def test_after_a_short_silence_the_base_stands_and_the_run_goes_on(side: FakeBridge) -> None:
+    line = Spoiled(side, lambda message: back_after(0.8, message), lambda message: back_after(0.8, message))
+
+    def back_after(seconds: float, message: bytes) -> bytes | None:
+        return message if line.now() - line.driven_at > seconds else None
+
+    robot = body(line, line)
+    robot.reset()
+    seen = robot.step(BaseDisplacement(x=0.9))
+    assert line.stopped_at - line.driven_at == pytest.approx(LIMITS.stale / 2, abs=0.05)
+    assert 0.05 < seen.base_to_start.x < 0.3  # the rest of the way was not driven
+    assert seen.step == 1
+    assert robot.step(BaseDisplacement(x=0.25)).base_to_start.x == pytest.approx(seen.base_to_start.x + 0.25, abs=0.02)
