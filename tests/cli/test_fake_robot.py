@@ -56,19 +56,15 @@ def test_a_rehearsal_has_a_row_for_each_drift_and_a_column_for_each_latency(
 ) -> None:
     monkeypatch.setenv("COLUMNS", "160")
     figures = tmp_path / "figures.json"
-    dials = ("--drift", "0", "0.05", "--latency", "0", "0.1", "--agility", "8", "--steps", "4")
+    dials = ("--drift", "0", "0.05", "--latency", "0", "0.05", "--agility", "4", "--steps", "3")
     assert call("rehearse", "--agent", "baseline", "--episodes", "1", *dials, "--out", str(figures)) == 0
     told = capsys.readouterr().out
-    assert "latency 0.1 s" in told
+    assert "latency 0.05 s" in told
     assert told.count("0 of 1 (0-79 %), 0 %") == 4
     settings = json.loads(figures.read_text())["settings"]
-    assert [(s["dials"]["drift"], s["dials"]["latency"]) for s in settings] == [
-        (0, 0),
-        (0, 0.1),
-        (0.05, 0),
-        (0.05, 0.1),
-    ]
-    assert [s["runs"][0]["steps"] for s in settings] == [4, 4, 4, 4]
+    tried = [(each["dials"]["drift"], each["dials"]["latency"]) for each in settings]
+    assert tried == [(0.0, 0.0), (0.0, 0.05), (0.05, 0.0), (0.05, 0.05)]
+    assert [s["runs"][0]["steps"] for s in settings] == [3, 3, 3, 3]
     assert settings[1]["runs"][0]["seconds"] > settings[0]["runs"][0]["seconds"]
 
 

@@ -55,7 +55,7 @@ def test_it_moves_once_it_is_told_to_and_says_what_it_does(
     assert "Move cup from sink to table" in told
     assert "It will begin thus: open the gripper; then move the lift to 0.78 m" in told
     assert "up to 0.15 m/s and 1 rad/s, within 3 m" in told
-    assert "turn the base left by 30 degrees" in told
+    assert "turn the base right by 30 degrees" in told
     assert "The steps are used up after 2 steps." in told
     assert abs(side.robot.base.heading) == pytest.approx(2 * 0.5236, abs=0.05)
     assert side.refusals == []
@@ -78,7 +78,7 @@ def test_without_consent_nothing_is_sent(
 def test_a_dry_run_sends_nothing(side: FakeBridge, ports: Ports, capsys: pytest.CaptureFixture[str]) -> None:
     assert called(ports, "--dry-run", "--steps", "3") == 0
     told = capsys.readouterr().out
-    assert told.count("would turn the base left by 30 degrees") == 3
+    assert told.count("would turn the base right by 30 degrees") == 3
     assert "after 3 steps that were not taken" in told
     assert side.step == -1
 

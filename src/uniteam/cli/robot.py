@@ -23,11 +23,13 @@ from uniteam.world.real.motions import Motion, first_motions
 from uniteam.world.real.pace import Pace, Patience
 from uniteam.world.real.robot_errors import RunStopError
 from uniteam.world.real.safety import FASTEST, FASTEST_TURN, SafetyLimits
+from uniteam.world.real.stretch_body_link import connect_stretch_body
 from uniteam.world.real.stretch_robot import StretchRobot
 from uniteam.world.real.system_clock import SystemClock
 from uniteam.world.real.zmq_wire import OBSERVATION_PORT, ZmqWire
 
 CONSENT = "go"
+HERE = "here"
 
 
 def robot(
@@ -56,7 +58,7 @@ def robot(
     error. The arm feels nothing: keep people and pets away, and a hand on the robot's run-stop.
 
     Args:
-        host: The robot's name or address.
+        host: The robot's name or address; here on the robot itself, through stretch_body.
         object_: What to move, such as cup.
         start: On what it is, such as table.
         goal: Onto what to put it, such as cabinet.
@@ -113,6 +115,8 @@ def _limits(speed: float, turn_speed: float, fence: float) -> SafetyLimits:
 
 
 def _connected(host: str, port: int, limits: SafetyLimits) -> RobotLink:
+    if host == HERE:
+        return connect_stretch_body(limits)
     if not 1 <= port <= 65_532:
         raise InvalidInputError(f"--port must be from 1 to 65532, for it is the first of four, got {port}")
     wire, pace, patience = ZmqWire(host, port), Pace(), Patience()

@@ -13,8 +13,8 @@ GRIPPER_RATE = 1.0
 """rad/s of a finger."""
 SPEED, TURN_SPEED = 0.3, 1.5
 """What the base does at most (m/s, rad/s)."""
-POSITION_SPEED = 0.12
-"""Of the base where the arm's mode moves it (m/s)."""
+POSITION_SPEED, POSITION_TURN_SPEED = 0.12, 0.4
+"""Of the base where it is moved by distances and angles (m/s, rad/s)."""
 ACCELERATION, TURN_ACCELERATION = 0.3, 1.5
 """Of the base (m/s2, rad/s2)."""
 VELOCITY_LASTS = 0.5
@@ -37,6 +37,7 @@ class Motors:
 
     Attributes:
         joints: where they are.
+        joint_goal: where they were sent.
         gripper: angle of a finger (rad).
         gripper_stop: below which something between the fingers holds it up.
         goal: of the base, while it is on its way to one.
@@ -46,22 +47,22 @@ class Motors:
     def __init__(self, agility: float) -> None:
         """Stand still in the navigation posture, the gripper closed on nothing."""
         self._agility = agility
-        self.joints = self._joint_goal = NAVIGATION_POSTURE
+        self.joints = self.joint_goal = NAVIGATION_POSTURE
         self.gripper = self._gripper_goal = 0.0
         self.gripper_stop = -math.inf
         self.goal: Goal | None = None
         self.has_failed = False
-        self._distance = 0.0
+        self._distance, self._angle = 0.0, 0.0
         self._velocity, self._wanted, self._age = (0.0, 0.0), (0.0, 0.0), math.inf
 
     @property
     def is_at_rest(self) -> bool:
         """Whether nothing moves, nor is to."""
         return (
-            self.joints == self._joint_goal
+            self.joints == self.joint_goal
             and self.is_gripper_at_rest
             and self.goal is None
-            and self._distance == 0.0
+            and self._distance == self._angle == 0.0
             and self._velocity == (0.0, 0.0)
             and (self._wanted == (0.0, 0.0) or self._age > VELOCITY_LASTS)
         )
@@ -73,11 +74,11 @@ class Motors:
 
     def send_joints(self, joints: Joints) -> None:
         """Send the joints to positions, or as near as their ranges allow."""
-        self._joint_goal = clamp_joints(joints)
+        self.joint_goal = clamp_joints(joints)
 
     def send_head(self, pan: float, tilt: float) -> None:
         """Send the head to a position."""
-        self.send_joints(replace(self._joint_goal, head_pan=pan, head_tilt=tilt))
+        self.send_joints(replace(self.joint_goal, head_pan=pan, head_tilt=tilt))
 
     def send_gripper(self, angle: float) -> None:
         """Send the fingers to an angle (rad)."""
@@ -85,7 +86,7 @@ class Motors:
 
     def send_base(self, velocity: tuple[float, float]) -> None:
         """Drive at velocities (m/s, rad/s) until told otherwise, or for as long as the driver lets them last."""
-        self.goal, self._distance = None, 0.0
+        self.goal, self._distance, self._angle = None, 0.0, 0.0
         self._wanted, self._age = velocity, 0.0
 
     def send_base_to(self, pose: BasePose) -> None:
@@ -98,14 +99,20 @@ class Motors:
         self.stop_base()
         self._distance = distance
 
+    def turn_base_by(self, angle: float) -> None:
+        """Turn on the spot by an angle (rad)."""
+        self.stop_base()
+        self._angle = angle
+
     def stop_base(self) -> None:
         """Stop the base where it is."""
-        self.goal, self._distance, self._velocity, self._wanted = None, 0.0, (0.0, 0.0), (0.0, 0.0)
+        self.goal, self._distance, self._angle = None, 0.0, 0.0
+        self._velocity = self._wanted = (0.0, 0.0)
 
     def freeze(self) -> None:
         """Stop everything and forget where it was to go, as a run-stop does."""
         self.stop_base()
-        self._joint_goal, self._gripper_goal = self.joints, self.gripper
+        self.joint_goal, self._gripper_goal = self.joints, self.gripper
 
     def advance(self, seconds: float, base: BasePose) -> tuple[float, float]:
         """Let time pass and return by how much the base drives and then turns (m, rad).
@@ -114,7 +121,7 @@ class Motors:
             seconds: how much time.
             base: where the odometry has it.
         """
-        goal = self._joint_goal
+        goal = self.joint_goal
         if self.joints != goal:
             steps = ((f.name, getattr(RATES, f.name) * self._agility * seconds) for f in fields(Joints))
             self.joints = Joints(*(_towards(getattr(self.joints, n), getattr(goal, n), step) for n, step in steps))
@@ -126,6 +133,10 @@ class Motors:
             step = _towards(0.0, self._distance, POSITION_SPEED * self._agility * seconds)
             self._distance -= step
             return step, 0.0
+        if self._angle != 0.0:
+            step = _towards(0.0, self._angle, POSITION_TURN_SPEED * self._agility * seconds)
+            self._angle -= step
+            return 0.0, step
         return self._at_velocity(seconds)
 
     def _at_velocity(self, seconds: float) -> tuple[float, float]:
