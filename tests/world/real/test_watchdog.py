@@ -3,13 +3,15 @@
 import math
 import pickle
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from worlds.fake_robot import LIMITS, body, bridge, simulator
 
-from uniteam.interface import BaseDisplacement
+from uniteam.interface import BaseDisplacement, Joints
+from uniteam.stretch import NAVIGATION_POSTURE
 from uniteam.world.fake.bridge import FakeBridge
 from uniteam.world.fake.bridge_messages import no_truth
 from uniteam.world.fake.lockstep import Lockstep
@@ -142,3 +144,36 @@ def test_after_a_short_silence_the_base_stands_and_the_run_goes_on(side: FakeBri
     assert 0.05 < seen.base_to_start.x < 0.3  # the rest of the way was not driven
     assert seen.step == 1
     assert robot.step(BaseDisplacement(x=0.25)).base_to_start.x == pytest.approx(seen.base_to_start.x + 0.25, abs=0.02)
+
+
+def test_a_silence_while_nothing_moves_is_waited_out(side: FakeBridge) -> None:
+    class Pausing(Lockstep):
+        silent_until = 0.0
+
+        def newest_state(self) -> bytes | None:
+            message = super().newest_state()
+            return message if self.now() > self.silent_until else None
+
+        def send(self, action: bytes) -> None:
+            if "head_to" in pickle.loads(action) and self.silent_until == 0.0:
+                self.silent_until = self.now() + 0.7
+            super().send(action)
+
+    line = Pausing(side, side.robot.simulator.camera, no_truth)
+    robot = body(line, line)
+    robot.reset()
+    assert robot.step(BaseDisplacement(x=0.25)).base_to_start.x == pytest.approx(0.25, abs=0.02)
+    assert line.now() > line.silent_until > 0.0
+
+
+def test_a_head_that_hangs_a_little_low_does_not_sink(side: FakeBridge) -> None:
+    robot = body(line := Lockstep(side, side.robot.simulator.camera, no_truth), line)
+    send = side.robot.motors.send_joints
+
+    def sagging(joints: Joints) -> None:
+        send(replace(joints, head_tilt=joints.head_tilt - 0.01))
+
+    side.robot.motors.send_joints = sagging  # type: ignore[method-assign]
+    tilts = [robot.reset().joints.head_tilt]
+    tilts += [robot.step(BaseDisplacement(x=0.12)).joints.head_tilt for _ in range(5)]
+    assert tilts == pytest.approx([NAVIGATION_POSTURE.head_tilt - 0.01] * 6, abs=0.002)

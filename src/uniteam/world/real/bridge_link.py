@@ -38,7 +38,7 @@ class BridgeLink:
     def __init__(self, channel: Channel, limits: SafetyLimits, pace: Pace, patience: Patience) -> None:
         """Take a robot that has been connected to; nothing is asked of it yet."""
         self._channel, self._limits, self._pace, self._patience = channel, limits, pace, patience
-        self._base_x = channel.state.base_x
+        self._base_x, self._goal = channel.state.base_x, channel.state.state.joints
 
     def glance(self) -> View:
         """Return the next picture that comes."""
@@ -48,12 +48,12 @@ class BridgeLink:
     def look(self) -> View:
         """Return a picture taken after everything before was done.
 
-        Messages bear no time. So the head is sent to where it is, which both modes allow and moves nothing: a picture
-        that acknowledges this was packed after it. The bridge takes the picture before it writes down the number, hence
-        the second such picture is the first that is certainly new.
+        Messages bear no time. So the head is sent once more to where it was sent last, which both modes allow and moves
+        nothing (sent to where it is it would sink, if it hangs a little low): a picture that acknowledges this is of
+        after. The bridge takes the picture before it writes down the number, hence the second one is certainly new.
         """
-        joints = self._channel.refresh().state.joints
-        for _ in self._channel.ask({"head_to": [joints.head_pan, joints.head_tilt], "manip_blocking": False}):
+        self._channel.refresh()
+        for _ in self._asked(self._head_to_its_goal()):
             pass
         step, began = self._channel.state.step, self._channel.now()
         last, seen = self._channel.observation_count, 0
@@ -79,7 +79,7 @@ class BridgeLink:
         """Drive the base by velocities, or by a position where it is not far."""
         if abs(distance) < SMALL_DISTANCE:
             yield from self._mode(MANIPULATION)
-            yield from self._send_joints(self._channel.state.state.joints, distance)
+            yield from self._send_joints(self._goal, distance)
             return
         yield from self._mode(NAVIGATION)
         drive = Drive(distance, travelled(), self._limits.speed, STILL, self._pace, self._patience)
@@ -87,9 +87,9 @@ class BridgeLink:
 
     def move_joints(self, joints: Joints) -> Iterator[RobotState]:
         """Move the joints; the head alone needs no change of mode."""
-        now = self._channel.refresh().state.joints
+        now, self._goal = self._channel.refresh().state.joints, joints
         if _is_near(replace(now, head_pan=joints.head_pan, head_tilt=joints.head_tilt), joints):
-            yield from self._asked({"head_to": [joints.head_pan, joints.head_tilt], "manip_blocking": False})
+            yield from self._asked(self._head_to_its_goal())
             yield from self._until_rest(lambda state: _is_near(state.joints, joints))
             return
         yield from self._mode(MANIPULATION)
@@ -109,6 +109,7 @@ class BridgeLink:
     def halt(self) -> None:
         """Stop, in the way that the robot's mode allows; the other would raise in its bridge."""
         state = self._channel.state
+        self._goal = state.state.joints
         if state.mode == MANIPULATION:
             self._channel.blurt({"joint": command(state.base_x, clamp_joints(state.state.joints))})
             self._base_x = state.base_x
@@ -186,6 +187,9 @@ class BridgeLink:
             if arrived(message.state) or self._channel.now() - still_since >= self._pace.rest:
                 return
             yield message.state
+
+    def _head_to_its_goal(self) -> dict[str, object]:
+        return {"head_to": [self._goal.head_pan, self._goal.head_tilt], "manip_blocking": False}
 
     def _asked(self, action: dict[str, object]) -> Iterator[RobotState]:
         for message in self._channel.ask(action):

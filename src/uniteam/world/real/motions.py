@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 
+from uniteam.geometry import wrap_angle
 from uniteam.interface import ACTION_LIMITS, Action, BaseDisplacement, DiscreteAction, Joints
 from uniteam.stretch import JOINT_LIMITS, MANIPULATION_POSTURE, NAVIGATION_POSTURE, clamp_joints
 from uniteam.world.simulation.robot_state import admissible
@@ -90,7 +91,7 @@ def motions_of(action: Action, joints: Joints) -> tuple[Motion, ...]:
 def _base_motions(base: BaseDisplacement) -> tuple[Motion, ...]:
     if base.y != 0.0:
         bearing, distance = math.atan2(base.y, base.x), math.hypot(base.x, base.y)
-        motions: tuple[Motion, ...] = (Turn(bearing), Translate(distance), Turn(base.heading - bearing))
+        motions: tuple[Motion, ...] = (Turn(bearing), Translate(distance), Turn(wrap_angle(base.heading - bearing)))
     else:
         motions = (Translate(base.x), Turn(base.heading))
     return tuple(motion for motion in motions if motion not in (Turn(0.0), Translate(0.0)))

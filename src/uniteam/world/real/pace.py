@@ -21,7 +21,7 @@ class Pace:
     command: float = 0.1
     resend: float = 0.1
     gain: float = 1.5
-    rest: float = 0.3
+    rest: float = 0.4
     settle: float = 0.2
 
 

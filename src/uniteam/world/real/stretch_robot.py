@@ -71,7 +71,7 @@ class StretchRobot:
             self._start, self._count, self._is_closed = state.base, 0, False
             self.fence = Fence(self._start, self._limits.fence)
             self._do(first_motions(state.joints))
-            view = self._link.look()
+            view = self._look()
             self._start = view.state.base
             self.fence = Fence(self._start, self._limits.fence)
             return self._observation(view)
@@ -90,7 +90,7 @@ class StretchRobot:
         with _Halting(self._link):
             self._do(motions_of(wanted, self._joints))
             self._count += 1
-            return self._observation(self._link.look())
+            return self._observation(self._look())
 
     def close(self) -> None:
         """Stop, and let go of the robot."""
@@ -111,6 +111,15 @@ class StretchRobot:
             _log.warning("%s; waiting for the robot", error)
             self._link.recover()
             self._link.halt()
+
+    def _look(self) -> View:
+        """Look; where the robot falls silent meanwhile and comes back, look once more, for nothing moves."""
+        try:
+            return self._link.look()
+        except SilentRobotError as error:
+            _log.warning("%s; waiting for the robot", error)
+            self._link.recover()
+            return self._link.look()
 
     def _refusal(self, motion: Motion) -> str:
         """Return why a motion must not be begun; empty where it may."""
