@@ -138,7 +138,7 @@ def test_the_opcodes_written_by_hand_make_an_array() -> None:
         "no state": RECONSTRUCT + NDARRAY + b"K\x00\x85C\x01b\x87RNb",
         "a name instead of a value": NDARRAY,
         "a constructor instead of a value": DTYPE,
-        "a constructor that is changed": DTYPE + b"}\x8c\x08__call__K\x01sb" + b"0N",
+        "a constructor that is changed": array_of(b"K\x01\x85", DTYPE + b"}b" + b"\x8c\x02f8\x89\x88\x87R", bytes(8)),
         "attributes of a name": NDARRAY + b"N}\x8c\x01aK\x01s\x86b",
         "a global by its stack": b"\x8c\x02os\x8c\x06system\x93",
         "an extension": b"\x82\x01",

@@ -16,6 +16,7 @@ from uniteam.stretch import JOINT_LIMITS, MANIPULATION_POSTURE, NAVIGATION_POSTU
 from uniteam.testing import check_body
 from uniteam.world.fake.bridge import FakeBridge
 from uniteam.world.fake.bridge_messages import no_truth
+from uniteam.world.fake.delayed import Delayed
 from uniteam.world.fake.lockstep import Lockstep
 from uniteam.world.real.link import RobotState
 from uniteam.world.real.motions import Motion
@@ -329,13 +330,16 @@ def test_a_delay_makes_it_no_less_exact(world: Simulator, caplog: pytest.LogCapt
     assert (base.x, base.y, base.heading) == pytest.approx((0.5, 0.0, 1.0), abs=0.02)
 
 
-def test_a_picture_is_of_after_the_motion_whatever_the_delay(world: Simulator) -> None:
-    side = bridge(world, replace(QUICK, latency=0.2, agility=4.0))
-    robot = lockstep_body(side, SafetyLimits(speed=0.3, turn_speed=0.8))
+def test_a_picture_is_of_after_the_motion_though_the_camera_is_later_than_all_else(
+    world: Simulator, side: FakeBridge
+) -> None:
+    line = Lockstep(side, world.camera, no_truth)
+    line._moments = Delayed(0.7)
+    robot = body(line, line)
     robot.reset()
     seen = robot.step(DiscreteAction.TURN_LEFT)
-    side.robot.frame = world.render()
     assert np.median(np.abs(seen.depth - world.render().depth)) < 0.001
+    assert seen.base_to_start.heading == pytest.approx(math.pi / 6, abs=0.02)
 
 
 def test_a_watcher_that_raises_stops_the_base(side: FakeBridge) -> None:

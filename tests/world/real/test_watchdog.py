@@ -166,7 +166,7 @@ def test_a_silence_while_nothing_moves_is_waited_out(side: FakeBridge) -> None:
     assert line.now() > line.silent_until > 0.0
 
 
-def test_a_head_that_hangs_a_little_low_does_not_sink(side: FakeBridge) -> None:
+def test_a_head_that_hangs_a_little_low_does_not_sink_while_the_base_creeps(side: FakeBridge) -> None:
     robot = body(line := Lockstep(side, side.robot.simulator.camera, no_truth), line)
     send = side.robot.motors.send_joints
 
@@ -176,4 +176,5 @@ def test_a_head_that_hangs_a_little_low_does_not_sink(side: FakeBridge) -> None:
     side.robot.motors.send_joints = sagging  # type: ignore[method-assign]
     tilts = [robot.reset().joints.head_tilt]
     tilts += [robot.step(BaseDisplacement(x=0.12)).joints.head_tilt for _ in range(5)]
+    assert side.robot.base.x == pytest.approx(0.6, abs=0.02)
     assert tilts == pytest.approx([NAVIGATION_POSTURE.head_tilt - 0.01] * 6, abs=0.002)
