@@ -67,6 +67,18 @@ COMMANDS = {
         "ask an agent again upon what a recording saw, and name the first step that differs",
         "uniteam replay-check episode.zip --without edge_margin",
     ),
+    "robot": Command(
+        "let an agent act on a real Stretch, with --dry-run at first",
+        "uniteam robot 192.168.1.20 --object cup --start table --goal cabinet --dry-run",
+    ),
+    "fake-robot": Command(
+        "put a simulated Stretch behind the network ports of a real one",
+        "uniteam fake-robot --split minival --episode 0 --latency 0.1 --drift 0.02",
+    ),
+    "rehearse": Command(
+        "measure what a robot's drift and latency cost, on fake robots",
+        "uniteam rehearse --split minival --episodes 2 --drift 0 0.02 --latency 0 0.1",
+    ),
     "serve-perception": Command(
         "serve a perception to agents on other machines", "uniteam serve-perception owlv2 --port 8712"
     ),
@@ -94,7 +106,7 @@ COMMANDS = {
 
 _COLUMN = max(map(len, COMMANDS)) + 2
 
-TAKING_NAMES = ("evaluate", "ablate", "dial", "run", "replay-check")
+TAKING_NAMES = ("evaluate", "ablate", "dial", "run", "replay-check", "robot", "rehearse")
 """Commands whose help lists the agents, the perceptions and the improvements."""
 
 USER_ERROR = 2
