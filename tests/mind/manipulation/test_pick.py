@@ -128,6 +128,15 @@ def test_reach_out_pick_extends_the_arm_over_what_keeps_the_base_away() -> None:
     assert worlds[1].joints.arm == pytest.approx(0.0)
 
 
+def test_reach_out_pick_drives_a_shorter_way_where_the_whole_of_it_is_blocked() -> None:
+    bench = Box((0.45, -0.5, 0.0), (0.8, 0.5, 0.5), "bench")
+    boxes = (bench, Box((0.8, -0.5, 0.0), (1.6, 0.5, 0.6), "table"), Box((1.26, -0.04, 0.6), (1.34, 0.04, 0.7), "cup"))
+    world = ArmWorld(boxes, BasePose(0.0, 0.0, 0.0))
+    pick_in(world, REACHING)
+    assert world.held is not None
+    assert 0.1 <= world.base.x <= 0.15
+
+
 def test_reach_out_pick_does_not_extend_the_arm_through_what_is_in_the_way() -> None:
     bench = Box((0.35, -0.5, 0.0), (0.8, 0.5, 0.5), "bench")
     cup = Box((1.16, -0.04, 0.6), (1.24, 0.04, 0.7), "cup")

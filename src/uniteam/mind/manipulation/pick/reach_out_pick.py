@@ -42,22 +42,29 @@ class ReachOut:
     """
 
     reach: float = GRASP_RANGE - 0.06
-    approaches: int = 3
+    approaches: int = 4
     extensions: tuple[float, ...] = (0.1, 0.2, 0.3, 0.4, 0.52)
     heights: tuple[float, ...] = (0.06, 0.16, 0.3, 0.5, 0.8)
     sweep: SweepConfig = field(default_factory=SweepConfig)
 
     def __call__(self, view: View) -> Skill[View]:
         """Answer with the view from which to snap."""
+        longest = LONGEST_DRIVE
         for _ in range(self.approaches):
             if self._shortfall(view) <= 0.0:
                 return view
-            before = view.observation.base_to_start
-            view = yield from self._drive_closer(view)
+            before, distance = view.observation.base_to_start, self._way_closer(view, longest)
+            view = yield from self._drive_closer(view, distance)
             now = view.observation.base_to_start
             if before.distance_to(now.x, now.y) < SMALLEST_DRIVE / 2:
-                break
+                if distance <= SMALLEST_DRIVE:
+                    break
+                longest = distance / 2.0  # what is blocked does not move at all, and half of the way may be free
         return (yield from self._reach_out(view))
+
+    def _way_closer(self, view: View, longest: float) -> float:
+        """Return how far (m) to drive towards the object."""
+        return max(min(self._shortfall(view), longest), SMALLEST_DRIVE)
 
     def _reach_out(self, view: View) -> Skill[View]:
         """Extend the arm over what is in between, as little as brings the object within reach and touches nothing.
@@ -85,11 +92,10 @@ class ReachOut:
             if _distance(view, end) <= self.reach:
                 yield ArmPath((replace(joints, lift=end.lift), end))
 
-    def _drive_closer(self, view: View) -> Skill[View]:
+    def _drive_closer(self, view: View, distance: float) -> Skill[View]:
         """Turn to the object, drive towards it and point the arm at it again."""
         x, y, _ = _middle(view)
         before = view.observation.base_to_start.heading
-        distance = min(max(self._shortfall(view), SMALLEST_DRIVE), LONGEST_DRIVE)
         view = yield discrete(DiscreteAction.NAVIGATION_MODE, "The object is beyond reach, so I drive closer.")
         bearing = math.remainder(math.atan2(y, x) - quarters_turned(before, view) * QUARTER, 2 * math.pi)
         if abs(bearing) >= SMALLEST_TURN:
