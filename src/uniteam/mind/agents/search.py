@@ -81,21 +81,23 @@ def explore(board: Blackboard, view: View, search: Search) -> Skill[bool]:
     Returns:
         True once there is a target to head for; False once nothing is left that the robot can get to.
     """
-    misses, idle_turns = search.misses(board), 0
+    misses, idle_turns, idle_at = search.misses(board), 0, view.observation.base_to_start
     while True:
+        base = view.observation.base_to_start
         found = _plan(board, view, search)
         if found is not None and board.config.search.goes_on(board.planner, found[1]):
             if found[0].kind is search.target:
                 return True
-            idle_turns = 0
+            if base.distance_to(idle_at.x, idle_at.y) > SAME_PLACE:  # to face one thing after another is idle too
+                idle_turns = 0
             _remember_failure(board)
             move = _carry_out(board, view, *found)
         else:
             if found is not None:  # the robot stays blocked while it turns, and steps aside in the end
-                board.planner.begin(found[1], board.bird_map, view.observation.base_to_start)
-            idle_turns += 1
+                board.planner.begin(found[1], board.bird_map, base)
+            idle_turns, idle_at = idle_turns + 1, base
             if idle_turns > _turns_worth_making(board, view):
-                board.turned_at = view.observation.base_to_start
+                board.turned_at = base
                 if not (misses.made or _relax(board)):
                     return False
                 idle_turns = 0
