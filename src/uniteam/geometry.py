@@ -127,7 +127,7 @@ def pose_matrix(position: FloatArray, quaternion: FloatArray) -> NDArray[np.floa
 
 def pose_matrices(poses: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the (N, 4, 4) transforms of (N, 7) positions (m) and unit quaternions; each as `pose_matrix` has it."""
-    norms = np.array([np.linalg.norm(pose[3:]) for pose in poses])
+    norms = np.sqrt(np.vecdot(poses[:, 3:], poses[:, 3:]))
     w, x, y, z = poses[:, 3:].T / norms
     matrices = np.zeros((len(poses), 4, 4))
     rows = (

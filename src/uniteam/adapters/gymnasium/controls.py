@@ -1,7 +1,7 @@
 """From what a policy gives to an action of the robot: numbers in [-1, 1] by column, or one of some actions.
 
-Columns, thresholds and steps are those of HomeRobot's skills (arXiv 2306.11565; habitat-lab's OVMM branch). One thing is
-done a step: to stop goes before the gripper, the gripper before a mode, a mode before a motion.
+Columns, thresholds and steps are those of HomeRobot's skills (arXiv 2306.11565; habitat-lab's OVMM branch). One thing
+is done a step: to stop goes before the gripper, the gripper before a mode, a mode before a motion.
 """
 
 import math
@@ -118,7 +118,9 @@ class Choice:
     def read(self, given: Any, joints: Joints, is_holding: bool) -> Action:
         """Return the action of a number."""
         if not self.space.contains(given):
-            raise InvalidActionError(f"an action must be a whole number from 0 to {len(self.actions) - 1}, got {given!r}")
+            raise InvalidActionError(
+                f"an action must be a whole number from 0 to {len(self.actions) - 1}, got {given!r}"
+            )
         return self.actions[int(given)]
 
 
@@ -133,7 +135,7 @@ FOUR_MOVES = Choice(
         BaseDisplacement(heading=-math.radians(10.0)),
     )
 )
-"""Stop, 0.25 m ahead, 10 degrees to the left and to the right: what HomeRobot's learned navigation does at test time."""
+"""Stop, 0.25 m ahead, 10 degrees to the left and to the right: HomeRobot's learned navigation at test time."""
 
 _STILL = Joints(*(0.0 for _ in _JOINTS))
 

@@ -53,7 +53,8 @@ def labels_of(home: Home, instruction: Instruction) -> Labels:
     roles = [home.model_of(instance).role for instance in home.instances]
     numbers = [receptacle_number(c) if role == "receptacle" else 0 for c, role in zip(categories, roles, strict=True)]
     asked = (instruction.object_category, instruction.start_receptacle, instruction.goal_receptacle)
-    return Labels(*(_table([int(c == name) for c in categories]) for name in asked), _table(numbers))
+    objects, starts, goals = (_table([int(category == name) for category in categories]) for name in asked)
+    return Labels(objects, starts, goals, _table(numbers))
 
 
 def _table(values: list[int]) -> Table:

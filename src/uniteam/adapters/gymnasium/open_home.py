@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.adapters.gymnasium.goals import distances_from
-from uniteam.geometry import Point2, PinholeCamera
+from uniteam.geometry import PinholeCamera, Point2
 from uniteam.world.homes.home import Home
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.episode import Candidate

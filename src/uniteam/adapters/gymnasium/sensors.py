@@ -4,7 +4,7 @@ Segmentations are the simulator's own truth, as they are for HomeRobot's skills:
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -139,7 +139,9 @@ OBJECT_GOAL = Sensor("ovmm_nav_goal_segmentation", _image(2), _segments("objects
 RECEPTACLE_GOAL = Sensor("ovmm_nav_goal_segmentation", _image(1), _segments("goal_receptacles"))
 """(H, W, 1): 1 on receptacles of the goal class."""
 OBJECT_EMBEDDING = Sensor(
-    "object_embedding", _within(1.0, DIMENSIONS), lambda scene: _embedding(scene.episode.instruction.object_category).copy()
+    "object_embedding",
+    _within(1.0, DIMENSIONS),
+    lambda scene: _embedding(scene.episode.instruction.object_category).copy(),
 )
 """(128,): CLIP's text vector of the object class, reduced; of unit length."""
 START_RECEPTACLE = Sensor(
@@ -156,5 +158,5 @@ COMPASS = Sensor("robot_start_compass", _within(_PI, 1), _compass)
 """(1,): heading relative to that at first (rad, left-positive)."""
 JOINTS = Sensor("joint", _vector(*_JOINT_RANGE), _joints)
 """(10,): see `joint_vector`."""
-IS_HOLDING = Sensor("is_holding", _within(1.0, 1), lambda scene: np.array([scene.simulator.held is not None], np.float32))
-"""(1,): 1 where the gripper holds something."""
+IS_HOLDING = Sensor("is_holding", _number(2), lambda scene: np.int64(scene.simulator.held is not None))
+"""1 where the gripper holds something, else 0."""

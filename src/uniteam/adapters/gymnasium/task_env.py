@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.adapters.gymnasium.controls import Controls
 from uniteam.adapters.gymnasium.draw import Draw
 from uniteam.adapters.gymnasium.labels import labels_of
 from uniteam.adapters.gymnasium.sensors import Scene
@@ -39,10 +40,11 @@ class TaskEnv(gymnasium.Env[Observation, Any]):
 
     Attributes:
         task: what is to be learned.
+        controls: what an action means.
         render_mode: "rgb_array" shows what the head camera sees, "third_person" the robot from above.
     """
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array", "third_person"], "render_fps": 10}
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array", "third_person"], "render_fps": 10}  # noqa: RUF012
 
     def __init__(
         self,
@@ -70,9 +72,9 @@ class TaskEnv(gymnasium.Env[Observation, Any]):
         self.task = task if isinstance(task, Task) else _named("skill", task, SKILLS)
         self.render_mode = _render_mode(render_mode, self.metadata["render_modes"])
         self._camera = _named("camera", camera, CAMERAS)
-        self._controls = _named("way to act", actions or next(iter(self.task.controls)), self.task.controls)
+        self.controls: Controls = _named("way to act", actions or next(iter(self.task.controls)), self.task.controls)
         self._draw = Draw(split, self._camera, episodes_per_home)
-        self.action_space = self._controls.space
+        self.action_space = self.controls.space
         self.observation_space = gymnasium.spaces.Dict({s.name: s.space(self._camera) for s in self.task.sensors})
         self._scene: Scene | None = None
         self._steps = 0
@@ -124,7 +126,7 @@ class TaskEnv(gymnasium.Env[Observation, Any]):
             InvalidInputError: no episode has begun, or it is over.
         """
         simulator = self._begun().simulator
-        wanted = self._controls.read(action, simulator.joints, simulator.held is not None)
+        wanted = self.controls.read(action, simulator.joints, simulator.held is not None)
         events = simulator.apply(wanted, self._referee.grasp_rule)
         verdict = self._referee.judge(wanted, events)
         self._steps += 1
@@ -132,7 +134,7 @@ class TaskEnv(gymnasium.Env[Observation, Any]):
         self._is_over = verdict.is_over or is_cut
         return self._observation(), float(verdict.reward), verdict.is_over, is_cut, self._info(verdict.is_success)
 
-    def render(self) -> NDArray[np.uint8] | None:  # type: ignore[override]
+    def render(self) -> NDArray[np.uint8] | None:
         """Return the (H, W, 3) picture of the render mode; None without one."""
         if self.render_mode is None:
             gymnasium.logger.warn("render() shows nothing without a render mode; give make() one")

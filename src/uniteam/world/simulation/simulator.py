@@ -86,7 +86,8 @@ class Simulator:
         self._watch.restart()
         self._state = RobotState(base, NAVIGATION_POSTURE)
         self._gripper.held = None
-        self._forget_view()
+        self._frame: Frame | None = None
+        self._geometry: Geometry | None = None
 
     def moment(self) -> Moment:
         """Return everything that decides how the home goes on, for `return_to`."""
@@ -141,7 +142,7 @@ class Simulator:
         return self._frame
 
     def render_geometry(self) -> Geometry:
-        """Return what the head camera sees now but for its colours, which take half of a picture's time."""
+        """Return what the head camera sees now but for its colours, in less time."""
         if self._frame is not None:
             return self._frame.geometry
         if self._geometry is None:
@@ -172,8 +173,7 @@ class Simulator:
         return events
 
     def _forget_view(self) -> None:
-        self._frame: Frame | None = None
-        self._geometry: Geometry | None = None
+        self._frame = self._geometry = None
 
     def _do(self, action: Action, rule: GraspRule) -> StepEvents:
         if action is DiscreteAction.SNAP_OBJECT:

@@ -7,7 +7,14 @@ import numpy as np
 from uniteam.adapters.gymnasium.controls import ARM, BASE, GRIP, MANIPULATION_MODE, Columns
 from uniteam.adapters.gymnasium.open_home import OpenHome
 from uniteam.adapters.gymnasium.rewards import SLACK, SUCCESS
-from uniteam.adapters.gymnasium.sensors import DEPTH, JOINTS, OBJECT_EMBEDDING, OBJECTS, START_RECEPTACLE, START_RECEPTACLES
+from uniteam.adapters.gymnasium.sensors import (
+    DEPTH,
+    JOINTS,
+    OBJECT_EMBEDDING,
+    OBJECTS,
+    START_RECEPTACLE,
+    START_RECEPTACLES,
+)
 from uniteam.adapters.gymnasium.starts import reachable, start_before
 from uniteam.adapters.gymnasium.task import Measures, Referee, Task, Verdict
 from uniteam.interface import Action

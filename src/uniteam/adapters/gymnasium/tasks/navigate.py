@@ -1,10 +1,11 @@
 """Drive to where something can be seen, face it, and stop: HomeRobot's `nav_to_obj` and `nav_to_rec`."""
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
-from uniteam.adapters.gymnasium.controls import BASE, FOUR_MOVES, STOP, Columns
+from uniteam.adapters.gymnasium.controls import BASE, FOUR_MOVES, STOP, Columns, Controls
 from uniteam.adapters.gymnasium.goals import Goals
 from uniteam.adapters.gymnasium.open_home import OpenHome
 from uniteam.adapters.gymnasium.rewards import SLACK, SUCCESS
@@ -58,9 +59,7 @@ class NavigationReferee:
         reward = SLACK + before.distance - now.distance + self._turned(now.distance, now.angle)
         if action is not DiscreteAction.STOP:
             return Verdict(reward)
-        is_success = (
-            now.distance < SUCCESS_DISTANCE and now.angle < SUCCESS_ANGLE and self._coverage() >= VIEW_COVERAGE
-        )
+        is_success = now.distance < SUCCESS_DISTANCE and now.angle < SUCCESS_ANGLE and self._coverage() >= VIEW_COVERAGE
         return Verdict(reward + SUCCESS * is_success, True, is_success)
 
     def measures(self) -> Measures:
@@ -97,7 +96,7 @@ def _begin_to_receptacle(place: OpenHome, episode: Episode, generator: np.random
     return NavigationReferee(place, goals)
 
 
-_CONTROLS = {"continuous": Columns((*BASE, STOP)), "discrete": FOUR_MOVES}
+_CONTROLS: Mapping[str, Controls] = {"continuous": Columns((*BASE, STOP)), "discrete": FOUR_MOVES}
 
 NAVIGATE_TO_OBJECT = Task(
     "NavigateToObject",
