@@ -12,7 +12,7 @@ from uniteam.geometry import PinholeCamera, invert_transform, pose_matrix, trans
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.mesh import Material
 from uniteam.world.homes.home import Instance, Wall
-from uniteam.world.rendering.camera import render
+from uniteam.world.rendering.camera import render, render_geometry
 from uniteam.world.rendering.kernels.culling import coarsen, is_hidden
 from uniteam.world.rendering.meshes.stage_mesh import stage_parts
 from uniteam.world.rendering.scene import Scene
@@ -44,6 +44,18 @@ def test_every_instance_is_labelled_with_its_index(furnished: Scene) -> None:
         local = transform_points(invert_transform(instance.model_to_world()), points)
         assert (np.abs(local[:, :2]) <= np.array(size[:2]) / 2.0 + 0.01).all()
         assert (local[:, 2] <= size[2] + 0.01).all()
+
+
+def test_depth_and_instances_without_colours_are_the_same_to_the_bit(furnished: Scene) -> None:
+    for eye, target in (
+        ((0.3, 0.3, 1.3), (8.0, 3.0, 0.5)),
+        ((5.0, 0.5, 2.2), (6.4, 2.6, 0.3)),
+        ((4.0, 9.0, 1.0), (4.0, 30.0, 1.0)),
+    ):
+        pose = looking(eye, target)
+        frame, geometry = render(furnished, WIDE, pose), render_geometry(furnished, WIDE, pose)
+        np.testing.assert_array_equal(geometry.depth, frame.depth)
+        np.testing.assert_array_equal(geometry.instances, frame.instances)
 
 
 def test_the_order_in_which_parts_are_culled_changes_no_pixel(furnished: Scene) -> None:

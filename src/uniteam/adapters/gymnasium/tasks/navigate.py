@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from uniteam.adapters.gymnasium.controls import BASE, FOUR_MOVES, STOP, Columns, Controls
-from uniteam.adapters.gymnasium.goals import Goals
+from uniteam.adapters.gymnasium.goals import Goals, Nearest
 from uniteam.adapters.gymnasium.open_home import OpenHome
 from uniteam.adapters.gymnasium.rewards import SLACK, SUCCESS
 from uniteam.adapters.gymnasium.sensors import (
@@ -54,7 +54,7 @@ class NavigationReferee:
 
     def judge(self, action: Action, events: StepEvents) -> Verdict:
         """Reward what the way and the turn have become shorter by; the episode ends where the robot stops."""
-        before, now = self._now, self._goals.nearest(self._simulator.base)
+        before, now = self._now, self._look()
         self._now = now
         reward = SLACK + before.distance - now.distance + self._turned(now.distance, now.angle)
         if action is not DiscreteAction.STOP:
@@ -69,6 +69,11 @@ class NavigationReferee:
             "angle_to_goal": self._now.angle,
             "coverage": self._coverage(),
         }
+
+    def _look(self) -> Nearest:
+        """Return the nearest goal; nothing changes where the base stands on what lay there at first."""
+        now = self._goals.nearest(self._simulator.base)
+        return now if math.isfinite(now.distance) else self._now
 
     def _turned(self, distance: float, angle: float) -> float:
         """Return by how much less the robot must turn than when it was within 3 m last."""
