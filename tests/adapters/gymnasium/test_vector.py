@@ -63,7 +63,7 @@ def test_after_an_end_the_next_step_resets(split: Split, mode: str) -> None:
     envs.close()
     assert not ended.any()
     assert not reward.any()
-    assert not observation["robot_start_gps"].any()
+    assert observation["robot_start_gps"] == pytest.approx(np.zeros((2, 2)), abs=1e-6)
 
 
 @pytest.mark.parametrize("mode", ["sync", "async"])
@@ -74,7 +74,7 @@ def test_or_the_same_step_resets_and_the_last_is_in_the_info(split: Split, mode:
     observation, _, ended, _, info = envs.step(all_do(STOP, 2))
     envs.close()
     assert ended.all()
-    assert not observation["robot_start_compass"].any()
+    assert observation["robot_start_compass"] == pytest.approx(np.zeros((2, 1)), abs=1e-6)
     turned = [final["robot_start_compass"][0] for final in info["final_obs"]]
     assert turned == pytest.approx([np.pi / 6, -np.pi / 6])
     assert not info["final_info"]["is_success"].any()

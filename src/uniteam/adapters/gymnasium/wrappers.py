@@ -7,6 +7,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.adapters.gymnasium.sensors import DEPTH
 from uniteam.errors import InvalidInputError
 
 Spaces = dict[str, gymnasium.Space[Any]]
@@ -18,7 +19,7 @@ SHORT_SIDE, LONG_SIDE = 120, 160
 class ImageAndVector(gymnasium.ObservationWrapper[dict[str, Any], Any, dict[str, Any]]):
     """Stack all pictures as channels of one, and put all else into one vector.
 
-    `image` is (H, W, C) uint8, depth in steps of 10 m / 255; `vector` is (N,) float32, numbers of classes one-hot. So
+    `image` is (H, W, C) uint8, depth first and in steps of 10 m / 255, then the others by name; `vector` is (N,) float32, numbers of classes one-hot. So
     HomeRobot's policy begins too, and so the policies for several inputs of common libraries want it.
     """
 
@@ -30,7 +31,10 @@ class ImageAndVector(gymnasium.ObservationWrapper[dict[str, Any], Any, dict[str,
         """
         super().__init__(env)
         spaces = _spaces(env)
-        self._images = {name: space for name, space in spaces.items() if _is_image(space)}
+        images = sorted(
+            (name for name, space in spaces.items() if _is_image(space)), key=lambda name: name != DEPTH.name
+        )
+        self._images = {name: spaces[name] for name in images}
         self._others = {name: space for name, space in spaces.items() if name not in self._images}
         some = next(iter(self._images.values())).shape
         assert some is not None, "a picture has a shape"

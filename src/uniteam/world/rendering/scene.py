@@ -110,7 +110,7 @@ class Scene:
         return self._brought_up_to_date(self._buffers.part_visible)
 
     def buffers_in_view(self, projection: NDArray[np.float32], height: int, width: int) -> SceneBuffers:
-        """Return the arrays, with every part that may be in a picture where it was last moved to.
+        """Return the arrays, with every part that may be in a picture where it was last moved to, and no other shown.
 
         The robot moves in nearly every frame, and its own camera sees little of it.
 
@@ -125,7 +125,8 @@ class Scene:
             if may_be[index]:
                 mesh, from_model = self._meshes[index], _after(projection, self._poses[index])
                 may_be[index] = may_be_seen(mesh.vertices, mesh.triangles, from_model, width, height)
-        return self._brought_up_to_date(may_be)
+        # What is left where it was before must not be drawn there: its box may be in the picture all the same.
+        return self._brought_up_to_date(may_be)._replace(part_visible=may_be)
 
     def _brought_up_to_date(self, is_wanted: NDArray[np.bool_]) -> SceneBuffers:
         for index in sorted(index for index in self._stale if is_wanted[index]):

@@ -30,7 +30,7 @@ class HomeView:
         self._physics = physics
         self._scene = Scene(home, robot_parts())
         self._watcher = Watcher(home.stage)
-        self._overhead = ("ceiling", *_hanging(home))
+        self._overhead = tuple(name for name in ("ceiling", *_hanging(home)) if name in self._scene.names)
         self._seen_poses: dict[str, NDArray[np.float64]] = {}
         self._seen_version = -1
 
