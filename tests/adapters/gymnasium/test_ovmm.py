@@ -62,7 +62,7 @@ def test_the_return_is_the_partial_success_of_the_episode() -> None:
     episode = split.episodes[0]
     world = Environment(split.homes[episode.home], episode, HEAD_CAMERA_SMALL)
     oracle, env = Oracle(world), TaskEnv(replace(ovmm(challenge), controls={"any": AsGiven()}), split)
-    env.reset(options={"episode": episode.id})
+    env.reset(options={"episode_id": episode.id})
     oracle.reset(episode.instruction, episode.seed)
     seen, rewards = world.reset(), []
     while not world.is_over:

@@ -71,7 +71,7 @@ def test_the_instruction_is_told(split: Split) -> None:
     assert env.task_description == ""
     _, info = env.reset(seed=0)
     assert info["instruction"] == env.task_description == "Move cup from sink to table"
-    assert (info["episode"], info["home"], info["is_success"]) == ("judged", "small", False)
+    assert (info["episode_id"], info["home"], info["is_success"]) == ("judged", "small", False)
     assert env.step(np.zeros(10))[4]["instruction"] == info["instruction"]
 
 
@@ -120,9 +120,9 @@ def test_a_wrong_option_is_told(split: Split, options: dict[str, Any], message: 
 def test_an_episode_is_played_by_its_id(split: Split) -> None:
     env = TaskEnv("Gaze", split)
     assert env.episode_ids == ("judged",)
-    assert env.reset(options={"episode": "judged"})[1]["episode"] == "judged"
+    assert env.reset(options={"episode_id": "judged"})[1]["episode_id"] == "judged"
     with pytest.raises(UnknownNameError, match="unknown episode of split judged 'judge'"):
-        env.reset(options={"episode": "judge"})
+        env.reset(options={"episode_id": "judge"})
 
 
 def test_to_step_or_render_before_the_first_reset_is_told(split: Split) -> None:
@@ -150,3 +150,12 @@ def test_what_is_observed_cannot_reach_back(split: Split) -> None:
         if isinstance(value, np.ndarray):
             value[...] = 1
     np.testing.assert_equal(env.reset(seed=0)[0], TaskEnv("Place", split).reset(seed=0)[0])
+
+
+def test_libraries_can_add_their_statistics_of_the_episode(split: Split) -> None:
+    env = gymnasium.wrappers.RecordEpisodeStatistics(TaskEnv("NavigateToObject", split))
+    env.reset(seed=0)
+    rewards = [float(env.step(np.zeros(4))[1])]
+    _, last, _, _, info = env.step(np.array([0.0, 0.0, 0.0, 1.0]))
+    assert info["episode"]["r"] == pytest.approx(sum(rewards) + float(last))
+    assert info["episode"]["l"] == 2

@@ -29,7 +29,7 @@ def made(
 
 
 def all_do(action: tuple[float, ...], count: int = 4) -> np.ndarray:
-    return np.tile(np.float32(action), (count, 1))
+    return np.tile(np.array(action, np.float32), (count, 1))
 
 
 def test_four_processes_give_what_one_gives(split: Split) -> None:
@@ -42,7 +42,7 @@ def test_four_processes_give_what_one_gives(split: Split) -> None:
         for _ in range(6):
             step = envs.step(envs.action_space.sample())
             trace.append(
-                [{name: value.copy() for name, value in step[0].items()}, *step[1:4], list(step[4]["episode"])]
+                [{name: value.copy() for name, value in step[0].items()}, *step[1:4], list(step[4]["episode_id"])]
             )
         envs.close()
         results.append(trace)
@@ -70,7 +70,7 @@ def test_after_an_end_the_next_step_resets(split: Split, mode: str) -> None:
 def test_or_the_same_step_resets_and_the_last_is_in_the_info(split: Split, mode: str) -> None:
     envs = made(split, mode, AutoresetMode.SAME_STEP, 2)
     envs.reset(seed=0)
-    envs.step(np.float32([[0, 1, -1, -1], [0, -1, -1, -1]]))
+    envs.step(np.array([[0, 1, -1, -1], [0, -1, -1, -1]], np.float32))
     observation, _, ended, _, info = envs.step(all_do(STOP, 2))
     envs.close()
     assert ended.all()

@@ -28,7 +28,9 @@ def test_pictures_become_channels_and_the_rest_a_vector(tmp_path: Path, skill: s
     np.testing.assert_allclose(given["image"][..., 0] / 255.0, seen["head_depth"][..., 0], atol=0.5 / 255)
     others = sorted(name for name, value in seen.items() if np.ndim(value) == 3 and name != "head_depth")
     np.testing.assert_array_equal(given["image"][..., 1:], np.concatenate([seen[name] for name in others], axis=-1))
-    rest = [gymnasium.spaces.flatdim(env.observation_space[name]) for name in seen if np.ndim(seen[name]) < 3]
+    assert isinstance(env.observation_space, gymnasium.spaces.Dict)
+    spaces = env.observation_space
+    rest = [gymnasium.spaces.flatdim(spaces[name]) for name in seen if np.ndim(seen[name]) < 3]
     assert given["vector"].shape == (sum(rest),)
     assert given in wrapped.observation_space
 

@@ -86,7 +86,7 @@ class TaskEnv(gymnasium.Env[Observation, Any]):
 
     @property
     def episode_ids(self) -> tuple[str, ...]:
-        """The episodes of the split, which `reset(options={"episode": id})` plays."""
+        """The episodes of the split, which `reset(options={"episode_id": id})` plays."""
         return tuple(episode.id for episode in self._draw.split.episodes)
 
     @property
@@ -101,7 +101,7 @@ class TaskEnv(gymnasium.Env[Observation, Any]):
 
         Args:
             seed: of all chance from now on.
-            options: `{"episode": id}` plays one episode of the split; where its skill begins is still drawn.
+            options: `{"episode_id": id}` plays one episode of the split; where its skill begins is still drawn.
 
         Raises:
             UnknownNameError: the split has no such episode.
@@ -109,7 +109,7 @@ class TaskEnv(gymnasium.Env[Observation, Any]):
         super().reset(seed=seed)
         if seed is not None:
             self._draw.restart()
-        wanted = (options or {}).get("episode")
+        wanted = (options or {}).get("episode_id")
         episode = self._draw.any(self.np_random) if wanted is None else self._draw.named(wanted)
         place = self._draw.open(episode)
         self._referee: Referee = self.task.begin(place, episode, self.np_random)
@@ -161,7 +161,7 @@ class TaskEnv(gymnasium.Env[Observation, Any]):
         assert scene is not None, "reset has made it"
         return {
             "instruction": str(scene.episode.instruction),
-            "episode": scene.episode.id,
+            "episode_id": scene.episode.id,
             "home": scene.episode.home,
             "is_success": bool(is_success),
             **self._referee.measures(),

@@ -19,8 +19,9 @@ SHORT_SIDE, LONG_SIDE = 120, 160
 class ImageAndVector(gymnasium.ObservationWrapper[dict[str, Any], Any, dict[str, Any]]):
     """Stack all pictures as channels of one, and put all else into one vector.
 
-    `image` is (H, W, C) uint8, depth first and in steps of 10 m / 255, then the others by name; `vector` is (N,) float32, numbers of classes one-hot. So
-    HomeRobot's policy begins too, and so the policies for several inputs of common libraries want it.
+    `image` is (H, W, C) uint8, depth first and in steps of 10 m / 255, then the others by name; `vector` is (N,)
+    float32, numbers of classes one-hot. So HomeRobot's policy begins too, and so the policies for several inputs of
+    common libraries want it.
     """
 
     def __init__(self, env: gymnasium.Env[Any, Any]) -> None:
