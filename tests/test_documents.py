@@ -13,11 +13,12 @@ from typing import Any
 import pytest
 import tyro
 from worlds.filled import filled
+from worlds.recorded import Brief, record
 
 import uniteam
 import uniteam.testing
 from uniteam.cli.main import COMMANDS, function_of
-from uniteam.evaluation.agent_spec import AGENTS
+from uniteam.evaluation.agent_spec import AGENTS, AgentSpec
 from uniteam.evaluation.results.result import EpisodeResult, result_to_line
 from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.improvements import IMPROVEMENTS
@@ -126,6 +127,9 @@ def test_every_block_of_python_runs(page: str, block: str, tmp_path: Path, monke
     result = EpisodeResult("a", "b", "Move cup", False, Measures(), "DONE", "it fell", 1.0, 1.0)
     (tmp_path / "runs" / "val-truth-half-challenge" / "results.jsonl").write_text(result_to_line("baseline", result))
     monkeypatch.chdir(tmp_path)
+    if "read_recording" in block:
+        spec = AgentSpec("uniteam-plus", "truth")
+        record(tmp_path / "episode.zip", Brief(spec.make(None), 3), spec)
     exec(compile(block, page, "exec"), {"__name__": "shown"})
 
 

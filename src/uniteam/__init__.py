@@ -43,6 +43,7 @@ _MODULE_OF = {
     "load_split": "uniteam.world.task.splits",
     "make_agent": "uniteam.mind.agents.registry",
     "play_episode": "uniteam.evaluation.episode_loop",
+    "read_recording": "uniteam.evaluation.recording.recording",
 }
 
 __all__ = ["__version__", *sorted(_MODULE_OF)]

@@ -1,10 +1,17 @@
 """Files that last: tried before the work, replaced whole, on the disk when the call returns."""
 
+import json
 import os
 import tempfile
+from hashlib import sha256
 from pathlib import Path
+from typing import Any
+from urllib.parse import quote
 
 from uniteam.errors import InvalidInputError, UniteamError
+
+LONGEST_NAME = 150
+"""Of the characters that a label may have as the name of a file; every system takes some more."""
 
 
 class UnwritableError(UniteamError):
@@ -66,6 +73,11 @@ def write_whole(path: Path, content: bytes) -> None:
         raise UnwritableError(path, error) from error
 
 
+def write_json(path: Path, data: Any) -> None:
+    """Write plain data as JSON, as `write_whole` does; raises UnwritableError."""
+    write_whole(path, (json.dumps(data, indent=2) + "\n").encode())
+
+
 def _replace(path: Path, content: bytes) -> None:
     partial = path.with_name(f"{path.name[:200]}.{os.getpid()}.partial")
     try:
@@ -77,6 +89,16 @@ def _replace(path: Path, content: bytes) -> None:
     finally:
         partial.unlink(missing_ok=True)
     sync_folder(path.parent)
+
+
+def file_name(label: str) -> str:
+    """Return the name of a file or folder for a label: the label itself where that can be, and another one for each."""
+    name = quote(label, safe=" ,()+@=", errors="backslashreplace")
+    if name.startswith("."):
+        name = f"%2E{name[1:]}"
+    if len(name) <= LONGEST_NAME:
+        return name
+    return f"{name[: LONGEST_NAME - 13]}-{sha256(name.encode()).hexdigest()[:12]}"
 
 
 def sync_folder(folder: Path) -> None:

@@ -18,6 +18,7 @@ VARIABLE = "NUMBA_CACHE_DIR"
 THREADS = "NUMBA_NUM_THREADS"
 
 SOURCES = (
+    "mind/manipulation/place/around_samples.py",
     "mind/mapping/block_projection.py",
     "mind/mapping/clearing.py",
     "mind/mapping/fine_obstacles.py",

@@ -10,7 +10,7 @@ import pytest
 from uniteam.cli.main import main
 from uniteam.cli.perceptions import as_folder, perception_name
 from uniteam.errors import InvalidInputError
-from uniteam.evaluation.evaluation import choose_episodes
+from uniteam.evaluation.episode_choice import choose_episodes
 from uniteam.evaluation.results.intervals import estimate_proportion
 from uniteam.visualization.success_chart import HEIGHT, LINE_COLORS, WIDTH, Curve, draw_success_chart
 from uniteam.world.task.episode import Split

@@ -12,7 +12,8 @@ import pytest
 from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.evaluation.agent_spec import AgentSpec, label_agents
 from uniteam.evaluation.configuration import Run
-from uniteam.evaluation.evaluation import Evaluation, choose_episodes
+from uniteam.evaluation.episode_choice import choose_episodes
+from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split, write_split

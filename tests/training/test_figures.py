@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from uniteam.training.calibration import fit_calibration, fit_thresholds, isotonic, weight_of
+from uniteam.training.calibration import fit_calibration, isotonic, weight_of
 from uniteam.training.figures import (
     asked_figures,
     calibration_error,
@@ -78,12 +78,3 @@ def test_calibration_is_of_models_that_were_held_out() -> None:
     answers = [answer(0, float(s), CUP if rng.random() < s**2 else bowl) for s in scores]
     points, chances = fit_calibration(answers, "object")
     assert np.interp([0.3, 0.6, 0.9], points, chances) == pytest.approx([0.09, 0.36, 0.81], abs=0.08)
-
-
-def test_thresholds_are_those_of_the_best_balance() -> None:
-    present = [Present(frame, 0, CUP, 500, 0.6) for frame in range(100)]
-    answers = [answer(frame, 0.62, CUP) for frame in range(100)]
-    answers += [answer(frame, 0.41, Thing("object", "bowl", NEW)) for frame in range(100)]
-    content = fit_thresholds(Sightings(present, answers, frames=100))
-    assert content["by_role"]["object"] == pytest.approx(0.45)  # type: ignore[index]
-    assert content["by_class"]["cup"] == pytest.approx(0.45)  # type: ignore[index]

@@ -29,7 +29,7 @@ def step(
     rgb, depth = np.zeros((6, 4, 3), np.uint8), np.zeros((6, 4), np.float32)
     seen = Observation(rgb, depth, CAMERA, np.eye(4), BasePose(0.0, 0.0, 0.0), Joints(0.8, 0.0), False, number)
     done = replace(measures, num_steps=number + 1)
-    return Step(seen, Decision(action, state, "Because."), Explanation(), events, done)
+    return Step(seen, Decision(action, state, "Because."), Explanation(), events, done, seen)
 
 
 def told(*steps: Step) -> list[tuple[int, str, str]]:

@@ -1,5 +1,7 @@
 """The panel: what it shows can be found in its pixels."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -57,7 +59,7 @@ def step(reason: str = "The nearest table has not been looked at from close by."
     pose, joints = BasePose(1.0, 0.0, 0.3), Joints(0.78, 0.0)
     seen = Observation(rgb, depth, CAMERA, np.eye(4), pose, joints, True, 311)
     decision = Decision(DiscreteAction.MOVE_FORWARD, "NAVIGATE_TO_OBJECT", reason)
-    return Step(seen, decision, Explanation(segmentation(), overlay()), StepEvents(), PLACED)
+    return Step(seen, decision, Explanation(segmentation(), overlay()), StepEvents(), PLACED, seen)
 
 
 def count(picture: NDArray[np.uint8], color: tuple[int, int, int]) -> int:
@@ -133,7 +135,7 @@ def test_the_panel_shows_the_reached_measures_as_lit_lamps() -> None:
 
 def test_a_panel_of_an_agent_without_map_and_perception_is_drawn_too() -> None:
     decision = Decision(DiscreteAction.STOP, "RANDOM", "The dice.")
-    plain = Step(step().observation, decision, Explanation(), StepEvents(), Measures())
+    plain = dataclasses.replace(step(), decision=decision, explanation=Explanation(), measures=Measures())
     panel = draw_panel(PanelContent("random", INSTRUCTION, plain, [], np.zeros((322, 592, 3), np.uint8)))
     assert count(panel, SUCCESS) == 0
 

@@ -1,4 +1,4 @@
-"""The calibration of `uniteam train`: what the networks' scores are worth, and which of them to believe."""
+"""The calibration of `uniteam train`: what the networks' scores are worth."""
 
 from pathlib import Path
 
@@ -12,14 +12,14 @@ VIEWS = 40
 
 
 def calibrate(work: Path, homes: int, camera: str, console: Console) -> None:
-    """Fit the calibration and the thresholds of the networks in a folder's `weights`, and write both there."""
+    """Fit the calibration of the networks in a folder's `weights`, and write it into their card."""
     from dataclasses import replace
 
     from uniteam.evaluation.worker import camera_named
-    from uniteam.mind.perception.learned.asking import ROLES, calibrated
+    from uniteam.mind.perception.learned.asking import ROLES
     from uniteam.mind.perception.learned.eyes import Eyes
     from uniteam.mind.perception.learned.networks import read_card
-    from uniteam.training.calibration import fit_calibration, fit_thresholds, watch_training_homes, write_thresholds
+    from uniteam.training.calibration import fit_calibration, watch_training_homes
     from uniteam.training.card import change_card
 
     weights = work / "weights"
@@ -31,8 +31,4 @@ def calibrate(work: Path, homes: int, camera: str, console: Console) -> None:
     calibration = {role: fit_calibration(sightings.answers, role) for role in ROLES.values()}
     facts = {"homes": homes, "views a home": VIEWS, "camera": camera, "answers": len(sightings.answers)}
     change_card(weights, "calibration", facts, calibration=calibration)
-    sightings.answers = [replace(a, score=calibrated(a.raw, a.role, calibration)) for a in sightings.answers]
-    write_thresholds(weights / "thresholds.json", fit_thresholds(sightings))
-    console.print(
-        f"Written: the calibration into {shown(weights / 'card.json')}, and {shown(weights / 'thresholds.json')}"
-    )
+    console.print(f"Written: the calibration into {shown(weights / 'card.json')}", soft_wrap=True)

@@ -1,6 +1,5 @@
 """`uniteam dial`: success against the noise of perception."""
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,7 +20,7 @@ from uniteam.evaluation.configuration import Run
 from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.results.intervals import Estimate
 from uniteam.evaluation.results.summary import Summary
-from uniteam.files import try_output, write_whole
+from uniteam.files import try_output, write_json
 from uniteam.mind.perception.noise.noisy import noisy_of
 from uniteam.visualization.captions import MILESTONES
 from uniteam.visualization.picture_file import write_png
@@ -125,7 +124,7 @@ def _write(points: Sequence[Point], directory: Path, measure: str, caption: str)
     data: list[dict[str, Any]] = [
         {"agent": p.agent, "perception": p.perception, "level": p.level, **p.summary.to_data()} for p in points
     ]
-    write_whole(directory / FIGURES, (json.dumps({"caption": caption, "points": data}, indent=2) + "\n").encode())
+    write_json(directory / FIGURES, {"caption": caption, "points": data})
     picture = draw_success_chart(f"{MILESTONES[measure]}, percent of the episodes", _curves(points, measure), caption)
     write_png(directory / FIGURE, picture)
 

@@ -1,6 +1,7 @@
 """`uniteam evaluate`: agents over a split, and the challenge's table."""
 
 from pathlib import Path
+from statistics import fmean
 from typing import Annotated, Literal
 
 import tyro
@@ -16,7 +17,9 @@ from uniteam.evaluation.analysis.breakdown import Groups, grouped
 from uniteam.evaluation.analysis.table import Row, challenge_table
 from uniteam.evaluation.backends.capacity import allowed_cores, most_workers
 from uniteam.evaluation.configuration import Run
+from uniteam.evaluation.episode_choice import shard_named
 from uniteam.evaluation.evaluation import Evaluation
+from uniteam.evaluation.recording.order import RecordingOrder, recording_path
 from uniteam.evaluation.results.summary import summarize
 
 LONGEST_EPISODE = 86_400.0 * 7
@@ -41,7 +44,9 @@ def evaluate(
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
     breakdown: Annotated[str | None, tyro.conf.arg(metavar="TAG")] = None,
+    record: Annotated[str | None, tyro.conf.arg(metavar="all|failures|N")] = None,
     episode_seconds: Annotated[float, tyro.conf.arg(metavar="S")] = 3600.0,
+    shard: Annotated[str | None, tyro.conf.arg(metavar="I/N")] = None,
 ) -> None:
     """Play a split's episodes with one or more agents, in parallel, and print the challenge's table.
 
@@ -60,13 +65,17 @@ def evaluate(
         camera: Images of 240x320 (half) or of 480x640 (full).
         grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
             points at (honest).
-        out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA-GRASP by default.
+        out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA-GRASP by default, and for a shard its number behind.
         with_: Improvements to add to the agents that lack them: names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agents that have them, by name.
         breakdown: Add rows by what makes episodes differ: unseen (whether the object's category is in no training
             home), style, area, rooms, shortest_path, least_clearance, object_height, object_pixels, goals, same_class.
+        record: Which episodes to record, each into a file of its own below the directory of the results: all, failures
+            (those without overall success), or how many of the first ones.
         episode_seconds: How long an episode may take; one that takes longer is ended, and fails if it was the agent
             that took so long.
+        shard: Play one part of N only, such as 2/4, into a folder of its own: the parts can be played at the same time
+            on several machines, and 'uniteam merge' makes one run of them.
     """
     check_at_least_one(episodes=episodes, workers=workers)
     if not agents:
@@ -77,14 +86,18 @@ def evaluate(
     console = make_console()
     with console.status("reading the split and the models"):
         labelled = label_agents(agents, perception, with_, without)
-        run = Run(split, labelled, perception, camera, grasp, episodes, episode_seconds)
+        part = None if shard is None else shard_named(shard)
+        run = Run(split, labelled, perception, camera, grasp, episodes, episode_seconds, part)
         opened = Evaluation(run, out or default_directory(run))
     with opened as evaluation:
         groups = {} if breakdown is None else grouped(evaluation.wanted, breakdown)
-        lost = play_under_bar(evaluation, worker_count(workers, len(evaluation.remaining)), console)
+        order = evaluation.recordings(record)
+        workers_used = worker_count(workers, len(evaluation.remaining))
+        lost = play_under_bar(evaluation, workers_used, console, record=record)
         evaluation.write_summary()
         console.print(challenge_table(_rows(evaluation, groups), _caption(evaluation), console.width, shown))
         _report(evaluation, console)
+        _report_recordings(evaluation, order, console)
     if lost:
         raise LostEpisodesError(lost_sentence(lost, evaluation))
 
@@ -92,7 +105,8 @@ def evaluate(
 def default_directory(run: Run) -> Path:
     """Return the directory of a run that names none."""
     words = (Path(run.split).name.split(".")[0], as_folder(run.perception), run.camera, run.grasp)
-    return Path("runs") / "-".join(words)
+    part = () if run.shard is None else (f"shard-{run.shard.number}-of-{run.shard.count}",)
+    return Path("runs") / "-".join((*words, *part))
 
 
 def check_at_least_one(**counts: int | None) -> None:
@@ -143,6 +157,27 @@ def _caption(evaluation: Evaluation) -> str:
         f"camera {run.camera}, grasp {run.grasp}, {episodes}, uniteam {uniteam.__version__}."
     )
     return shown(words)
+
+
+def _report_recordings(evaluation: Evaluation, order: RecordingOrder, console: Console) -> None:
+    """Say where the recordings are that were asked for, and which of them there cannot be any more."""
+    if not order.episodes:
+        return
+    asked = [
+        recording_path(order.folder, agent, result.episode)
+        for agent in evaluation.run.agents
+        for result in evaluation.results().get(agent, [])
+        if result.episode in order.episodes and order.is_kept(result)
+    ]
+    sizes = [path.stat().st_size / 1e6 for path in asked if path.is_file()]
+    size = f" of {fmean(sizes):.1f} MB on average, the largest {max(sizes):.1f} MB" if sizes else ""
+    console.print(f"Recordings: {len(sizes)}{size}, in {shown(order.folder)}.", soft_wrap=True)
+    if len(sizes) < len(asked):
+        console.print(
+            f"[yellow]{len(asked) - len(sizes)} episodes have results but no recordings: they were played before "
+            "without --record, or ended by their time.[/] 'uniteam run --record FILE' records one of them.",
+            soft_wrap=True,
+        )
 
 
 def _report(evaluation: Evaluation, console: Console) -> None:

@@ -39,6 +39,22 @@ COMMANDS = {
         "play a split's episodes with one or more agents and print the challenge's table",
         "uniteam evaluate --agents baseline uniteam-plus --split minival",
     ),
+    "compare": Command(
+        "compare agents on the episodes that all have played, with intervals and tests of the paired differences",
+        "uniteam compare runs/val-truth-half-challenge:baseline runs/val-truth-half-challenge:uniteam",
+    ),
+    "merge": Command(
+        "make one run of the shards of a run",
+        "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
+    ),
+    "ablate": Command(
+        "measure what each improvement is worth, alone, taken away and one after the other",
+        "uniteam ablate --split val --perception truth --episodes 100",
+    ),
+    "leaderboard": Command(
+        "score results anew from the line of each episode, by style and by seen and unseen",
+        "uniteam leaderboard results/val-truth-half-challenge",
+    ),
     "dial": Command(
         "play a split at several levels of perception's noise and draw success against noise",
         "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",
@@ -46,6 +62,22 @@ COMMANDS = {
     "run": Command(
         "play one episode, narrated, and film it",
         "uniteam run --agent uniteam-plus --split minival --episode 0 --video episode.mp4",
+    ),
+    "replay-check": Command(
+        "ask an agent again upon what a recording saw, and name the first step that differs",
+        "uniteam replay-check episode.zip --without edge_margin",
+    ),
+    "robot": Command(
+        "let an agent act on a real Stretch, with --dry-run at first",
+        "uniteam robot 192.168.1.20 --object cup --start table --goal cabinet --dry-run",
+    ),
+    "fake-robot": Command(
+        "put a simulated Stretch behind the network ports of a real one",
+        "uniteam fake-robot --split minival --episode 0 --latency 0.1 --drift 0.02",
+    ),
+    "rehearse": Command(
+        "measure what a robot's drift and latency cost, on fake robots",
+        "uniteam rehearse --split minival --episodes 2 --drift 0 0.02 --latency 0 0.1",
     ),
     "serve-perception": Command(
         "serve a perception to agents on other machines", "uniteam serve-perception owlv2 --port 8712"
@@ -74,7 +106,7 @@ COMMANDS = {
 
 _COLUMN = max(map(len, COMMANDS)) + 2
 
-TAKING_NAMES = ("evaluate", "dial", "run")
+TAKING_NAMES = ("evaluate", "ablate", "dial", "run", "replay-check", "robot", "rehearse")
 """Commands whose help lists the agents, the perceptions and the improvements."""
 
 USER_ERROR = 2

@@ -9,7 +9,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 
 from uniteam.cli.terminal import Interrupted, shown
 from uniteam.evaluation.backends.processes import Lost
-from uniteam.evaluation.evaluation import Evaluation
+from uniteam.evaluation.evaluation import Evaluation, home_of
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Episode
 
@@ -23,8 +23,33 @@ def counting(console: Console, what: str, total: int) -> Iterator[Callable[[], N
         yield lambda: progress.advance(bar)
 
 
-def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console) -> list[str]:
-    """Play what remains under a progress bar that counts the successes so far; return why episodes were lost."""
+Words = Callable[[str, EpisodeResult], str]
+"""Makes of an agent's result what stands beside the bar, markup of rich."""
+
+
+def counting_successes(evaluation: Evaluation) -> Words:
+    """Return the words that count each agent's successes so far."""
+    return _Tally(evaluation).after
+
+
+def play_under_bar(
+    evaluation: Evaluation,
+    worker_count: int,
+    console: Console,
+    make_words: Callable[[Evaluation], Words] = counting_successes,
+    group_of: Callable[[Episode], str] = home_of,
+    record: str | None = None,
+) -> list[str]:
+    """Play what remains under a progress bar; return why episodes were lost.
+
+    Args:
+        evaluation: what to play.
+        worker_count: in how many processes.
+        console: to show the bar on.
+        make_words: of the evaluation, what stands beside the bar.
+        group_of: as `Evaluation.play` takes it.
+        record: which episodes to record, as `Evaluation.play` takes it.
+    """
     remaining, total = len(evaluation.remaining), len(evaluation.attempts)
     directory = shown(evaluation.store.directory)
     if remaining < total:
@@ -42,7 +67,7 @@ def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console) 
     with Progress(*columns, console=console, speed_estimate_period=600.0) as progress:
         bar = progress.add_task("starting (the first time on a machine, compiling)", total=total)
         progress.update(bar, completed=total - remaining)
-        tally = _Tally(evaluation)
+        words_after = make_words(evaluation)
 
         def log(agent: str, episode: str, words: str) -> None:
             if not console.is_terminal:  # a log has no bar to watch
@@ -50,7 +75,7 @@ def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console) 
                 console.print(f"{done} {shown(f'{agent}, {episode}: {words}')}", soft_wrap=True)
 
         def advance(agent: str, result: EpisodeResult) -> None:
-            progress.update(bar, advance=1, description=tally.after(agent, result))
+            progress.update(bar, advance=1, description=words_after(agent, result))
             log(agent, result.episode, result.failure or "success")
 
         def note_lost(agent: str, episode: Episode, outcome: Lost) -> None:
@@ -58,7 +83,7 @@ def play_under_bar(evaluation: Evaluation, worker_count: int, console: Console) 
             log(agent, episode.id, f"lost: {outcome.reason}")
 
         try:
-            evaluation.play(worker_count, advance, note_lost)
+            evaluation.play(worker_count, advance, note_lost, group_of, record)
         except KeyboardInterrupt as stop:
             kept = total - len(evaluation.remaining)
             progress.update(bar, description="stopped")

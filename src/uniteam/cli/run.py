@@ -14,9 +14,14 @@ from uniteam.cli.perceptions import perception_name
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.agent_spec import label_agents
+from uniteam.evaluation.configuration import Run, resolve
 from uniteam.evaluation.episode_loop import Observer, Step, play_episode
+from uniteam.evaluation.recording.order import SUFFIX
+from uniteam.evaluation.recording.provenance import provenance_of
+from uniteam.evaluation.recording.recorder import Recorder
 from uniteam.evaluation.results.result import EpisodeResult, measures_to_data
 from uniteam.evaluation.worker import camera_named
+from uniteam.files import try_output
 from uniteam.visualization.film import Film
 from uniteam.visualization.narration import Narrator
 from uniteam.world.task.environment import Environment
@@ -32,6 +37,7 @@ def run(
     split: str = "minival",
     episode: int = 0,
     video: Annotated[Path | None, tyro.conf.arg(metavar="FILE.mp4")] = None,
+    record: Annotated[Path | None, tyro.conf.arg(metavar="FILE.zip")] = None,
     perception: str = "truth",
     model: Annotated[str | None, tyro.conf.arg(metavar="ORG/NAME")] = None,
     revision: Annotated[str | None, tyro.conf.arg(metavar="R")] = None,
@@ -47,6 +53,7 @@ def run(
         split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
         episode: Which episode of the split, counted from 0.
         video: An .mp4 file to film it into.
+        record: A .zip file to record it into, from which it can be explained and replayed.
         perception: What the agent sees with: a name, NAME:ARGUMENT for one that takes an argument, or your own as
             MODULE:ATTRIBUTE.
         model: The weights of a detector: ORG/NAME on the Hugging Face hub, or a folder.
@@ -73,8 +80,17 @@ def run(
             observers.append(film)
         where = shown(f"({episodes.name}, episode {episode}, {label}, {perception}, grasp {grasp})")
         console.print(f"[bold]{shown(chosen.instruction)}[/] {where}\n")
+        recorder = None
+        if record is not None:
+            try_output(record, (SUFFIX,))
+            configuration = resolve(Run(split, {label: spec}, perception, camera, grasp), episodes)
+            recorder = Recorder(environment, provenance_of(label, spec, configuration))
+            observers.append(recorder)
         result = play_episode(environment, spec.make(environment), lambda step: _show(step, observers))
         _report(result, console)
+        if record is not None and recorder is not None:
+            recorder.write(record, result)
+            console.print(f"Recording: {shown(record)} ({record.stat().st_size / 1e6:.1f} MB)", soft_wrap=True)
 
 
 def _teller_of_film(
@@ -117,4 +133,6 @@ def _report(result: EpisodeResult, console: Console) -> None:
     console.print(table)
     verdict = f"[red]{shown(result.failure)}[/]" if result.failure else "[green]overall success[/]"
     rate = result.measures.num_steps / result.seconds
-    console.print(f"{verdict}\n{result.seconds:.1f} s, {rate:.0f} steps a second, narration and film included.")
+    console.print(
+        f"{verdict}\n{result.seconds:.1f} s, {rate:.0f} steps a second, narration, film and recording included."
+    )

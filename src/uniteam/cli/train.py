@@ -19,26 +19,29 @@ MOST_HOMES, MOST_STEPS = 4_000, 10_000_000
 
 
 def train(
-    part: Annotated[Literal["segmenter", "namer", "calibration"], tyro.conf.Positional],
+    part: Annotated[Literal["segmenter", "namer", "calibration", "thresholds"], tyro.conf.Positional],
     work: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("training"),
     homes: Annotated[int, tyro.conf.arg(metavar="N")] = 200,
     proposal_homes: Annotated[int, tyro.conf.arg(metavar="N")] = 40,
     steps: Annotated[int, tyro.conf.arg(metavar="N")] = 20_000,
+    start: Annotated[str, tyro.conf.arg(metavar="WEIGHTS")] = "imagenet",
     camera: Literal["half", "full"] = "half",
 ) -> None:
     """Make a network of perception `learned`: render views of training homes, train, judge, and write it.
 
     What is made is kept: stop with Ctrl-C, and the same command goes on. Train the segmenter first, then the namer,
-    which learns from the segmenter's mistakes too, then fit the calibration. The networks are in DIR/weights; see them
-    at work with: uniteam perception --weights DIR/weights
+    which learns from the segmenter's mistakes too, then fit the calibration, then the thresholds. The networks are in
+    DIR/weights; see them at work with: uniteam perception --weights DIR/weights
 
     Args:
         part: What to make.
         work: Folder of views, checkpoints, logs and networks.
-        homes: How many training homes to render 60 views of; for the calibration, to look at.
+        homes: How many training homes to render 60 views of; for the calibration, to look at; for the thresholds, how
+            many episodes to play.
         proposal_homes: In how many more homes the segmenter makes proposals for the namer to learn from.
         steps: How many steps to train, of 4 frames or 32 crops each.
-        camera: Of the calibration, images of 240x320 (half) or of 480x640 (full).
+        start: What to begin with: imagenet, shipped (the networks of this package), or a folder of networks.
+        camera: Of the calibration and the thresholds, images of 240x320 (half) or of 480x640 (full).
     """
     _check(homes, proposal_homes, steps)
     try_folder(work)
@@ -48,8 +51,15 @@ def train(
 
         calibrate(work, homes, camera, console)
         return
+    if part == "thresholds":
+        from uniteam.cli.fit_thresholds import fit_thresholds
+
+        fit_thresholds(work, homes, camera, console)
+        return
     pipeline = _pipeline()
-    order = pipeline.Order(work, homes, proposal_homes, steps)
+    from uniteam.training.start import start_folder
+
+    order = pipeline.Order(work, homes, proposal_homes, steps, start_folder(start))
     make = pipeline.make_segmenter if part == "segmenter" else pipeline.make_namer
     with progress_of(console) as advance:
         figures = make(order, advance)

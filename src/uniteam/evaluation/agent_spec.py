@@ -51,8 +51,8 @@ class AgentSpec:
     added: tuple[str, ...] = ()
     removed: tuple[str, ...] = ()
 
-    def make(self, environment: Environment) -> Agent:
-        """Build the agent; only one that is told the truth is shown the environment itself.
+    def make(self, environment: Environment | None) -> Agent:
+        """Build the agent; only one that is told the truth is shown the environment itself, if there is one.
 
         Raises:
             UnknownNameError: an unknown agent, perception or improvement.

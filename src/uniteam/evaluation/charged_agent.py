@@ -5,7 +5,7 @@ from typing import TypeVar
 
 from uniteam.errors import InvalidInputError, UnavailableError
 from uniteam.evaluation.backends.serving import Charging
-from uniteam.interface import Agent, Decision, Instruction, Observation
+from uniteam.interface import Agent, Decision, Explaining, Explanation, Instruction, Observation
 
 Value = TypeVar("Value")
 
@@ -41,6 +41,11 @@ class ChargedAgent:
         decision = self._do(lambda: _checked(self._agent.act(observation)))
         self._steps += 1
         return decision
+
+    def explain(self) -> Explanation:
+        """Return what is behind the last decision, nothing where the agent does not say; raises AgentError."""
+        agent = self._agent
+        return self._do(agent.explain) if isinstance(agent, Explaining) else Explanation()
 
     def _do(self, call: Callable[[], Value]) -> Value:
         with self._charging():

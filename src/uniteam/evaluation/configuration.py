@@ -14,6 +14,7 @@ from typing import Any
 import uniteam
 from uniteam.errors import UnknownNameError
 from uniteam.evaluation.agent_spec import AgentSpec
+from uniteam.evaluation.episode_choice import Shard, choose_episodes, deal
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.serialization import home_digest
 from uniteam.world.task.episode import Split
@@ -40,6 +41,7 @@ class Run:
         grasp: name of the rule by which the gripper takes objects.
         episode_count: how many episodes to play; None for all of the split.
         episode_seconds: how long an episode may take.
+        shard: which part of the episodes to play; None for all.
     """
 
     split: str
@@ -49,6 +51,13 @@ class Run:
     grasp: str = "challenge"
     episode_count: int | None = None
     episode_seconds: float = 3600.0
+    shard: Shard | None = None
+
+
+def wanted_episodes(run: Run, split: Split) -> list[int]:
+    """Return the indices of the episodes that a run plays; raises InvalidInputError where a shard would have none."""
+    chosen = choose_episodes(split.episodes, run.episode_count)
+    return chosen if run.shard is None else deal(split.episodes, chosen, run.shard)
 
 
 def resolve(run: Run, split: Split) -> dict[str, Any]:
@@ -72,8 +81,17 @@ def resolve(run: Run, split: Split) -> dict[str, Any]:
         "episode_seconds": run.episode_seconds,
         "agents": {label: spec.describe() for label, spec in run.agents.items()},
     }
+    if run.shard is not None:
+        configuration["shard"] = _described(run, run.shard, split)
     plain: dict[str, Any] = json.loads(json.dumps(configuration))  # tuples are lists, as they will be read back
     return plain
+
+
+def _described(run: Run, shard: Shard, split: Split) -> dict[str, Any]:
+    """Return what the merging of shards must know of one."""
+    own = [split.episodes[index].id for index in wanted_episodes(run, split)]
+    asked = len(choose_episodes(split.episodes, run.episode_count))
+    return {"number": shard.number, "count": shard.count, "asked": asked, "episodes": own}
 
 
 def software() -> dict[str, str]:

@@ -51,6 +51,7 @@ class Step:
         explanation: what is behind the decision; empty for an agent that does not explain.
         events: what the action came to.
         measures: once that was done.
+        outcome: what the agent sees next; where it has stopped, nobody is shown it.
     """
 
     observation: Observation
@@ -58,6 +59,7 @@ class Step:
     explanation: Explanation
     events: StepEvents
     measures: Measures
+    outcome: Observation
 
 
 Observer = Callable[[Step], None]
@@ -77,7 +79,7 @@ def play_episode(environment: PlayableEnvironment, agent: Agent, observer: Obser
         seen, observation = observation, environment.step(decision.action)
         state, reason = decision.state, decision.reason
         if observer is not None:
-            observer(Step(seen, decision, explanation, environment.events, environment.measures))
+            observer(Step(seen, decision, explanation, environment.events, environment.measures, observation))
     return EpisodeResult(
         episode=episode.id,
         home=episode.home,

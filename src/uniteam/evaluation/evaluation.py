@@ -1,25 +1,35 @@
 """Play a split's episodes with several agents in parallel, keeping every result as it comes."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import closing
-from itertools import chain, zip_longest
 from pathlib import Path
 from types import TracebackType
 
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.backends.processes import Lost, OutOfTime, WorkerProcesses
-from uniteam.evaluation.configuration import Run, resolve
+from uniteam.evaluation.configuration import Run, resolve, wanted_episodes
 from uniteam.evaluation.episode_loop import crashed_result
+from uniteam.evaluation.recording.order import RECORDINGS, RecordingOrder, recording_order
+from uniteam.evaluation.results.home_robot import write_home_robot_results
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.results.store import ResultStore
-from uniteam.evaluation.results.summary import Summary, summarize
+from uniteam.evaluation.results.summary import Summary, summarize, summarize_run
 from uniteam.evaluation.worker import Attempt, PlayerSetup, camera_named
+from uniteam.files import file_name
 from uniteam.world.task.episode import Episode
 from uniteam.world.task.grasp_rules import grasp_rule_named
 from uniteam.world.task.splits import load_split
 
+HOME_ROBOT = "home-robot"
+"""The folder of a run that holds the results as HomeRobot's evaluator writes them, by agent."""
+
 OnResult = Callable[[str, EpisodeResult], None]
 OnLost = Callable[[str, Episode, Lost], None]
+
+
+def home_of(episode: Episode) -> str:
+    """Return the home of an episode."""
+    return episode.home
 
 
 class Evaluation:
@@ -40,7 +50,7 @@ class Evaluation:
         if len(ids) < len(self.split.episodes):
             raise InvalidInputError(f"the split {run.split} holds two episodes of one id; give each an id of its own")
         self._configuration = resolve(run, self.split)
-        self._wanted = choose_episodes(self.split.episodes, run.episode_count)
+        self._wanted = wanted_episodes(run, self.split)
         self.store = ResultStore(directory, self._configuration, ids)
 
     def __enter__(self) -> "Evaluation":
@@ -69,24 +79,44 @@ class Evaluation:
         return [self.split.episodes[index] for index in self._wanted]
 
     def results(self) -> dict[str, list[EpisodeResult]]:
-        """Return, by agent, the results of the episodes that the run asks for, of every agent that has any."""
+        """Return the results of the episodes asked for, by agent in the configuration's order; agents with any only."""
         wanted = [episode.id for episode in self.wanted]
-        by_agent = {agent: [own[i] for i in wanted if i in own] for agent, own in self.store.results.items()}
+        played = self.store.results
+        by_agent = {
+            agent: [played[agent][i] for i in wanted if i in played[agent]]
+            for agent in self.store.agents
+            if agent in played
+        }
         return {agent: results for agent, results in by_agent.items() if results}
 
-    def play(self, worker_count: int, on_result: OnResult, on_lost: OnLost) -> None:
-        """Play what remains in `worker_count` processes and record each result as it comes.
+    def play(
+        self,
+        worker_count: int,
+        on_result: OnResult,
+        on_lost: OnLost,
+        group_of: Callable[[Episode], str] = home_of,
+        record: str | None = None,
+    ) -> None:
+        """Play what remains in `worker_count` processes and keep each result as it comes.
 
         An attempt that was lost by no fault of the agent has no result: a later run plays it again.
+
+        Args:
+            worker_count: how many processes.
+            on_result: is told each result, once it is on the disk.
+            on_lost: is told what was lost.
+            group_of: a worker goes on with an episode of the same group as long as it can, and then with the first of
+                those left.
+            record: which episodes to record: "all", "failures", how many of the first ones, or None for none.
 
         Raises:
             UniteamError: as raised in a worker.
             UnwritableError: a result cannot be written.
         """
         workers: WorkerProcesses[Attempt, EpisodeResult | Lost] = WorkerProcesses(
-            PlayerSetup(self.run, self._configuration), worker_count, self.run.episode_seconds
+            PlayerSetup(self.run, self._configuration, self.recordings(record)), worker_count, self.run.episode_seconds
         )
-        with closing(workers.do(self.remaining, lambda attempt: self._episode(attempt).home)) as outcomes:
+        with closing(workers.do(self.remaining, lambda attempt: group_of(self._episode(attempt)))) as outcomes:
             for attempt, outcome in outcomes:
                 episode = self._episode(attempt)
                 if isinstance(outcome, Lost):
@@ -97,15 +127,20 @@ class Evaluation:
                 self.store.append(attempt.agent, result)
                 on_result(attempt.agent, result)
 
+    def recordings(self, record: str | None) -> RecordingOrder:
+        """Return what `play` would record, and where; raises InvalidInputError where `record` is no such wish."""
+        return recording_order(record, self.store.directory / RECORDINGS, [episode.id for episode in self.wanted])
+
     def summaries(self) -> dict[str, Summary]:
         """Return the figures of every agent over the episodes that the run asks for."""
         return {agent: summarize(results) for agent, results in self.results().items()}
 
     def write_summary(self) -> None:
-        """Write the figures to `summary.json`; each agent's say what they are from."""
-        names = ("split", "split_version", "split_digest", "perception", "camera", "grasp", "version")
-        source = {**{name: self._configuration[name] for name in names}, "episodes_asked": len(self._wanted)}
-        self.store.write_summary({agent: {**source, **s.to_data()} for agent, s in self.summaries().items()})
+        """Write the figures to `summary.json`, each agent's with what they are from, and the files of HomeRobot."""
+        self.store.write_summary(summarize_run(self._configuration, self.results(), len(self._wanted)))
+        numbers = {episode.id: number for number, episode in enumerate(self.split.episodes)}
+        for agent, results in self.results().items():
+            write_home_robot_results(self.store.directory / HOME_ROBOT / file_name(agent), results, numbers)
 
     def _episode(self, attempt: Attempt) -> Episode:
         return self.split.episodes[attempt.episode]
@@ -114,12 +149,3 @@ class Evaluation:
 def _out_of_time(episode: Episode, outcome: OutOfTime) -> EpisodeResult:
     sentence = f"the agent took more than {outcome.seconds:g} s"
     return crashed_result(episode, f"ran out of time: {sentence}", f"No traceback: {sentence}.")
-
-
-def choose_episodes(episodes: Iterable[Episode], count: int | None) -> list[int]:
-    """Return the indices of the first `count` episodes, taken from the homes in turn so that a few show many homes."""
-    by_home: dict[str, list[int]] = {}
-    for index, episode in enumerate(episodes):
-        by_home.setdefault(episode.home, []).append(index)
-    in_turn = [index for index in chain.from_iterable(zip_longest(*by_home.values())) if index is not None]
-    return in_turn[:count]

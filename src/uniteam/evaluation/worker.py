@@ -15,7 +15,10 @@ from uniteam.evaluation.backends.processes import Lost
 from uniteam.evaluation.backends.serving import Charging
 from uniteam.evaluation.charged_agent import AgentError, ChargedAgent
 from uniteam.evaluation.configuration import Run, resolve
-from uniteam.evaluation.episode_loop import play_episode, result_of_exception
+from uniteam.evaluation.episode_loop import Observer, play_episode, result_of_exception
+from uniteam.evaluation.recording.order import RecordingOrder, forget_recording, recording_path
+from uniteam.evaluation.recording.provenance import provenance_of
+from uniteam.evaluation.recording.recorder import Recorder
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.warm_up import warm_up
 from uniteam.geometry import PinholeCamera
@@ -54,8 +57,10 @@ class Attempt:
 class EpisodePlayer:
     """Plays attempts at the episodes of one split."""
 
-    def __init__(self, split: Split, run: Run, charging: Charging) -> None:
+    def __init__(self, split: Split, setup: "PlayerSetup", charging: Charging) -> None:
+        run = setup.run
         self._split = split
+        self._setup = setup
         self._run = run
         self._camera = camera_named(run.camera)
         self._grasp = grasp_rule_named(run.grasp)
@@ -75,12 +80,7 @@ class EpisodePlayer:
         try:
             environment = self._open(episode.home, spec.needs_truth)
             environment.reset(episode)
-            agent = ChargedAgent(lambda: spec.make(environment), self._charging)
-            return play_episode(environment, agent)
-        except AgentError as error:
-            return result_of_exception(episode, error.__cause__ or error, error.steps)
-        except InvalidActionError as error:
-            return result_of_exception(episode, error, environment.measures.num_steps)
+            return self._play(attempt, environment)
         except UniteamError:
             raise
         except MemoryError as error:
@@ -90,6 +90,28 @@ class EpisodePlayer:
             self._open.cache_clear()
             reason = f"the simulator failed with {type(error).__name__}: {error}"
             return Lost(reason, "".join(format_exception(error)))
+
+    def _play(self, attempt: Attempt, environment: Environment) -> EpisodeResult:
+        """Play the environment's episode; its recording, if there is to be one, is on the disk before its result."""
+        order, spec = self._setup.recordings, self._run.agents[attempt.agent]
+        path = recording_path(order.folder, attempt.agent, environment.episode.id)
+        forget_recording(path)
+        if environment.episode.id not in order.episodes:
+            return self._result(environment, spec, None)
+        recorder = Recorder(environment, provenance_of(attempt.agent, spec, self._setup.configuration))
+        result = self._result(environment, spec, recorder)
+        if order.is_kept(result):
+            recorder.write(path, result)
+        return result
+
+    def _result(self, environment: Environment, spec: AgentSpec, observer: Observer | None) -> EpisodeResult:
+        try:
+            agent = ChargedAgent(lambda: spec.make(environment), self._charging)
+            return play_episode(environment, agent, observer)
+        except AgentError as error:
+            return result_of_exception(environment.episode, error.__cause__ or error, error.steps)
+        except InvalidActionError as error:
+            return result_of_exception(environment.episode, error, environment.measures.num_steps)
 
     def _opened(self, home: str, give_truth: bool) -> Environment:
         """Compile a home, for the first of its episodes; the last one is kept, as a worker stays with its home."""
@@ -104,10 +126,12 @@ class PlayerSetup:
     Attributes:
         run: what is evaluated.
         configuration: of the run as it began; a worker that finds another one refuses to play.
+        recordings: what is to be recorded.
     """
 
     run: Run
     configuration: Mapping[str, Any]
+    recordings: RecordingOrder
 
     def __call__(self, charging: Charging) -> EpisodePlayer:
         """Open the split and warm up, so that the next worker finds in the cache what this one had to compile.
@@ -123,7 +147,7 @@ class PlayerSetup:
                 "give the same command again with another --out"
             )
         _warm_up(split, self.run)
-        return EpisodePlayer(split, self.run, charging)
+        return EpisodePlayer(split, self, charging)
 
 
 def _warm_up(split: Split, run: Run) -> None:

@@ -24,11 +24,11 @@ JUNK_A_VIEW = 2
 
 
 def crops_of(view: View, things: list[Thing], rng: Generator) -> Iterator[CropRecord]:
-    """Yield the crops of a view, those of no whole thing last."""
+    """Yield the crops of a view: of the things that have names, and last of what is no whole thing."""
     pixels = np.bincount(view.half.instances.ravel() + 1, minlength=len(things) + 1)[1:]
     for index in np.flatnonzero(pixels):
         thing = things[index]
-        if pixels[index] < FEWEST_PIXELS.get(thing.role, view.half.depth.size):
+        if not thing.category or pixels[index] < FEWEST_PIXELS.get(thing.role, view.half.depth.size):
             continue
         mask = view.half.instances == index
         if thing.role == "object" and np.median(view.half.depth[mask]) > FARTHEST:

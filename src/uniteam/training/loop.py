@@ -85,7 +85,8 @@ class Training:
         self.model.train()
         for group in self.optimizer.param_groups:
             group["lr"] = group["peak"] * self._rate()
-        loss = loss_of(self.model, self.step)
+        with torch.autocast(self.device.type, dtype=torch.bfloat16):
+            loss = loss_of(self.model, self.step)
         self.optimizer.zero_grad(set_to_none=True)
         loss.backward()
         nn.utils.clip_grad_norm_(self.model.parameters(), _MOST_GRADIENT)

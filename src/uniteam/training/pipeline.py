@@ -1,5 +1,6 @@
 """From nothing to a network's file: views are made, it is trained, judged, written, and described."""
 
+import math
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -10,11 +11,13 @@ import torch
 from torch import nn
 
 from uniteam.training import train_namer, train_segmenter
-from uniteam.training.card import change_card
+from uniteam.training.card import change_card, read_plain_card
 from uniteam.training.export import export_namer, export_segmenter, halve
 from uniteam.training.loop import Plan
 from uniteam.training.namer import Namer
 from uniteam.training.proposal_crops import make_proposals
+from uniteam.training.segmenter import Segmenter
+from uniteam.training.start import begin_with, steps_before
 from uniteam.training.view_store import VIEWS_A_HOME, make_views
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 
@@ -34,6 +37,7 @@ class Order:
         homes: how many training homes.
         proposal_homes: of how many more the segmenter's proposals are taken, for the namer.
         steps: of training.
+        start: folder of the networks to begin with; ImageNet's weights alone where it is None.
         check_seconds: between two checkpoints (s).
     """
 
@@ -41,6 +45,7 @@ class Order:
     homes: int
     proposal_homes: int
     steps: int
+    start: Path | None = None
     check_seconds: float = 300.0
 
     @property
@@ -59,11 +64,12 @@ def make_segmenter(order: Order, advance: Advance) -> Mapping[str, float]:
     _make_views(order, advance)
     began = time.monotonic()
     plan = Plan(order.steps, order.check_seconds, order.work / "segmenter")
-    model = train_segmenter.train_segmenter(order.views, plan, _steps(order, advance))
+    begun = _begun(Segmenter(len(RECEPTACLE_CATEGORIES)), order, "segmenter")
+    model = train_segmenter.train_segmenter(begun, order.views, plan, _steps(order, advance))
     with torch.no_grad():
         figures = train_segmenter.figures(model, train_segmenter.validated_frames(order.views))
     _write(model, order.weights / "segmenter.onnx", export_segmenter)
-    facts = _facts(order, train_segmenter.BATCH, figures, began)
+    facts = _facts(order, "segmenter", train_segmenter.BATCH, figures, began)
     change_card(order.weights, "segmenter", facts, receptacles=list(RECEPTACLE_CATEGORIES))
     return figures
 
@@ -78,7 +84,7 @@ def make_namer(order: Order, advance: Advance) -> Mapping[str, float]:
         make_proposals(order.views, segmenter, homes, made, VIEWS_A_HOME)
     began = time.monotonic()
     plan = Plan(order.steps, order.check_seconds, order.work / "namer")
-    model = train_namer.train_namer(order.views, plan, _steps(order, advance))
+    model = train_namer.train_namer(_begun(_namer(order), order, "namer"), order.views, plan, _steps(order, advance))
     assert isinstance(model, Namer)
     learnt, held_out = train_namer.divided(train_namer.all_crops(order.views))
     names = train_namer.training_names(learnt)
@@ -87,10 +93,25 @@ def make_namer(order: Order, advance: Advance) -> Mapping[str, float]:
     _write(model, order.weights / "namer.onnx", export_namer)
     by_role = {role: train_namer.names_of_role(learnt, role) for role in ("object", "receptacle", "decor")}
     change_card(
-        order.weights, "namer", _facts(order, train_namer.BATCH, figures, began), names=by_role, scale=scale,
+        order.weights, "namer", _facts(order, "namer", train_namer.BATCH, figures, began), names=by_role, scale=scale,
         calibration={},
     )  # fmt: skip
     return figures
+
+
+def _namer(order: Order) -> Namer:
+    """Return the namer to train, as sharp as the card of the one to begin with says."""
+    namer = Namer()
+    if order.start is not None:
+        with torch.no_grad():
+            namer.log_scale.fill_(math.log(float(read_plain_card(order.start)["scale"])))
+    return namer
+
+
+def _begun(model: nn.Module, order: Order, part: str) -> nn.Module:
+    if order.start is not None:
+        begin_with(model, order.start / f"{part}.onnx")
+    return model
 
 
 def _make_views(order: Order, advance: Advance) -> None:
@@ -108,13 +129,14 @@ def _steps(order: Order, advance: Advance) -> Callable[[int, float], None]:
     return lambda step, loss: advance(f"steps, loss {loss:.2f}", step, order.steps)
 
 
-def _facts(order: Order, batch: int, figures: Mapping[str, float], began: float) -> dict[str, Any]:
+def _facts(order: Order, part: str, batch: int, figures: Mapping[str, float], began: float) -> dict[str, Any]:
     device = "GPU" if torch.cuda.is_available() else "CPU"
     return {
         "homes": order.homes,
         "views a home": VIEWS_A_HOME,
         "homes of proposals": order.proposal_homes,
         "steps": order.steps,
+        "steps in all": order.steps + steps_before(order.start, part),
         "examples a step": batch,
         "trained on": f"{device}, {(time.monotonic() - began) / 60.0:.0f} minutes since it was last begun",
         **{f"held out: {name}": round(value, 3) for name, value in figures.items()},

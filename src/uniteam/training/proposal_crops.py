@@ -10,7 +10,8 @@ from uniteam.mind.perception.learned.eyes import segmented
 from uniteam.mind.perception.learned.networks import Network
 from uniteam.stretch import HEAD_CAMERA_HALF
 from uniteam.training.crop_samples import crop_record
-from uniteam.training.records import CropRecord, Crops, Thing, things_of, write_records
+from uniteam.training.other_looks import other_looks
+from uniteam.training.records import CropRecord, Crops, Thing, write_records
 from uniteam.training.sightings import observation_of
 from uniteam.training.views import View, training_home, views_of
 
@@ -34,8 +35,9 @@ def make_proposals(folder: Path, segmenter: Path, homes: range, on_home: Callabl
         path = folder / f"proposals-{number:05d}.msgpack"
         if not path.exists():
             home, rng = training_home(number), np.random.default_rng([number, 11])
-            things = things_of(home)
-            crops = [c for view in views_of(home, views, rng) for c in proposed_crops(view, things, network)]
+            looks = other_looks(home, np.random.default_rng([number, 17]))
+            things, seen = looks.things_of(home), views_of(home, views, rng, mesh_of=looks.mesh_of)
+            crops = [c for view in seen for c in proposed_crops(view, things, network)]
             write_records(path, Crops(crops))
         on_home()
 

@@ -11,6 +11,7 @@ from uniteam.training.segmenter_data import NO_RECEPTACLE, FrameBatch
 
 _WIDTH = 56
 _ENDS_WEIGHT = 4.0
+_SMOOTHING = 0.05
 
 
 class Segmenter(nn.Module):
@@ -52,7 +53,10 @@ class Segmenter(nn.Module):
 
 
 def segmenter_loss(model: nn.Module, batch: FrameBatch, device: torch.device) -> Tensor:
-    """Return the loss of a batch: of kinds (small things weigh more), of ends of things, of receptacles' names."""
+    """Return the loss of a batch: of kinds (small things weigh more), of ends of things, of receptacles' names.
+
+    A receptacle's name weighs as its kind does: a stool's few cells are not lost beside a bed's many.
+    """
     geometry = torch.from_numpy(batch.geometry).to(device)
     logits = model(network_input(batch.images, device), geometry)
     kinds, weights = torch.from_numpy(batch.kinds).to(device), torch.from_numpy(batch.weights).to(device)
@@ -63,5 +67,9 @@ def segmenter_loss(model: nn.Module, batch: FrameBatch, device: torch.device) ->
     end_loss = functional.binary_cross_entropy_with_logits(logits[:, len(Kind)], ends, pos_weight=weight)
     receptacles = torch.from_numpy(batch.receptacles).to(device)
     names = logits[:, len(Kind) + 1 :]
-    name_loss = functional.cross_entropy(names, receptacles, ignore_index=NO_RECEPTACLE, label_smoothing=0.05)
-    return kind_loss + 0.5 * end_loss + 0.5 * torch.nan_to_num(name_loss)
+    is_named = (receptacles != NO_RECEPTACLE).float() * weights
+    name_losses = functional.cross_entropy(
+        names, receptacles, ignore_index=NO_RECEPTACLE, label_smoothing=_SMOOTHING, reduction="none"
+    )
+    name_loss = (name_losses * is_named).sum() / is_named.sum().clamp(min=1.0)
+    return kind_loss + 0.5 * end_loss + 0.5 * name_loss

@@ -23,8 +23,8 @@ _VALIDATED = {"object": 400, "receptacle": 250, "decor": 50, "junk": 100}
 """Crops of each role."""
 
 
-def train_namer(views: Path, plan: Plan, on_step: Callable[[int, float], None]) -> nn.Module:
-    """Train the namer on the crops of a folder, and return its averaged network.
+def train_namer(model: nn.Module, views: Path, plan: Plan, on_step: Callable[[int, float], None]) -> nn.Module:
+    """Train a namer on the crops of a folder, and return its averaged network.
 
     Raises:
         InvalidInputError: there are no crops in the folder.
@@ -34,7 +34,7 @@ def train_namer(views: Path, plan: Plan, on_step: Callable[[int, float], None]) 
         raise InvalidInputError(f"'{views}' holds no crops; make them with: uniteam train namer --homes 200")
     names = training_names(training_crops)
     device = best_device()
-    training = Training(Namer(), plan, device)
+    training = Training(model, plan, device)
     sampler, vectors = CropSampler(training_crops, names), name_vectors(names).to(device)
     batches = prefetched(lambda step: sampler.batch(BATCH, np.random.default_rng([1, step])), training.step)
     generator = torch.Generator().manual_seed(training.step)
@@ -67,13 +67,13 @@ def divided(crops: Sequence[CropRecord]) -> tuple[list[CropRecord], list[CropRec
 
 
 def training_names(crops: Sequence[CropRecord]) -> list[str]:
-    """Return the names that crops bear, sorted."""
-    return sorted({c.thing.category for c in crops if c.thing is not None and c.thing.role != "door"})
+    """Return the names that crops bear, sorted; a nameless thing has none."""
+    return sorted({c.thing.category for c in crops if c.thing and c.thing.category and c.thing.role != "door"})
 
 
 def names_of_role(crops: Sequence[CropRecord], role: str) -> list[str]:
     """Return the names that things of a role bear, sorted."""
-    return sorted({c.thing.category for c in crops if c.thing is not None and c.thing.role == role})
+    return sorted({c.thing.category for c in crops if c.thing and c.thing.category and c.thing.role == role})
 
 
 def figures(model: nn.Module, crops: Sequence[CropRecord], names: Sequence[str]) -> Mapping[str, float]:

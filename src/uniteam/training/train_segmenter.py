@@ -12,7 +12,7 @@ from uniteam.mind.perception.learned.kinds import Kind
 from uniteam.training.backbone import network_input
 from uniteam.training.loop import Plan, Training, best_device
 from uniteam.training.prefetch import prefetched
-from uniteam.training.segmenter import Segmenter, segmenter_loss
+from uniteam.training.segmenter import segmenter_loss
 from uniteam.training.segmenter_data import NO_RECEPTACLE, FrameSampler
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 
@@ -22,8 +22,8 @@ VALIDATED_HOMES = 2
 _VALIDATED_FRAMES = 64
 
 
-def train_segmenter(views: Path, plan: Plan, on_step: Callable[[int, float], None]) -> nn.Module:
-    """Train the segmenter on the frames of a folder, and return its averaged network.
+def train_segmenter(model: nn.Module, views: Path, plan: Plan, on_step: Callable[[int, float], None]) -> nn.Module:
+    """Train a segmenter on the frames of a folder, and return its averaged network.
 
     Raises:
         InvalidInputError: there are too few homes in the folder.
@@ -37,7 +37,7 @@ def train_segmenter(views: Path, plan: Plan, on_step: Callable[[int, float], Non
     validated = validated_frames(views)
     sampler = FrameSampler(paths[VALIDATED_HOMES:], RECEPTACLE_CATEGORIES)
     device = best_device()
-    training = Training(Segmenter(len(RECEPTACLE_CATEGORIES)), plan, device)
+    training = Training(model, plan, device)
     batches = prefetched(lambda step: sampler.batch(BATCH, np.random.default_rng([2, step])), training.step)
 
     def loss_of(model: nn.Module, step: int) -> torch.Tensor:

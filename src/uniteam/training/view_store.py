@@ -7,7 +7,8 @@ import numpy as np
 
 from uniteam.files import try_folder
 from uniteam.training.crop_samples import crops_of
-from uniteam.training.records import CropRecord, Crops, FrameRecord, Frames, frame_record, things_of, write_records
+from uniteam.training.other_looks import other_looks
+from uniteam.training.records import CropRecord, Crops, FrameRecord, Frames, frame_record, write_records
 from uniteam.training.views import training_home, views_of
 
 VIEWS_A_HOME = 60
@@ -44,10 +45,11 @@ def frames_path(folder: Path, number: int) -> Path:
 
 def _make_home(folder: Path, number: int, views: int) -> None:
     home, rng = training_home(number), np.random.default_rng([number, 7])
-    things = things_of(home)
+    looks = other_looks(home, np.random.default_rng([number, 17]))
+    things = looks.things_of(home)
     frames: list[FrameRecord] = []
     crops: list[CropRecord] = []
-    for view in views_of(home, views, rng):
+    for view in views_of(home, views, rng, mesh_of=looks.mesh_of):
         frames.append(frame_record(view))
         crops += crops_of(view, things, rng)
     write_records(frames_path(folder, number), Frames(things, frames))

@@ -16,7 +16,7 @@ from uniteam.world.homes.home import Home
 from uniteam.world.rendering.camera import render
 from uniteam.world.rendering.kernels.frame import Frame
 from uniteam.world.rendering.meshes.robot_mesh import part_poses, robot_parts
-from uniteam.world.rendering.scene import Scene
+from uniteam.world.rendering.scene import MeshOf, Scene, mesh_of_model
 
 FIRST_SEED = 1_000_000
 """Of training homes; far from those of the splits."""
@@ -43,7 +43,14 @@ def training_home(number: int) -> Home:
     return generate_home(FIRST_SEED + number, "train", style)
 
 
-def views_of(home: Home, count: int, rng: Generator, most_tilt: float = 1.5, most_rise: float = 0.06) -> Iterator[View]:
+def views_of(
+    home: Home,
+    count: int,
+    rng: Generator,
+    most_tilt: float = 1.5,
+    most_rise: float = 0.06,
+    mesh_of: MeshOf = mesh_of_model,
+) -> Iterator[View]:
     """Yield views of a home.
 
     Args:
@@ -52,8 +59,9 @@ def views_of(home: Home, count: int, rng: Generator, most_tilt: float = 1.5, mos
         rng: for where the camera stands.
         most_tilt: by how much (degrees) the camera is rolled.
         most_rise: by how much (m) it is higher or lower than on the robot.
+        mesh_of: what is shown for an instance.
     """
-    scene, stands = Scene(home, robot_parts()), Stands(home, rng)
+    scene, stands = Scene(home, robot_parts(), mesh_of), Stands(home, rng)
     for _ in range(count):
         yield _view(
             scene, stands.draw(), math.radians(rng.uniform(-most_tilt, most_tilt)), rng.uniform(-1, 1) * most_rise

@@ -23,6 +23,7 @@ from uniteam.mind.navigation.goals.exploration import (
     start_receptacle_not_been_close,
 )
 from uniteam.mind.navigation.goals.frontier import FrontierConfig, find_frontiers
+from uniteam.mind.navigation.goals.object_elsewhere import ObjectElsewhere
 from uniteam.mind.navigation.planning.planner import Planner
 from uniteam.mind.navigation.planning.planner_config import turn_in_steps
 from uniteam.mind.navigation.planning.traversible import traversible
@@ -42,6 +43,7 @@ TWO_ROOMS = (*room(-2.0, -2.0, 7.0, 2.0), wall(2.5, -2.0, 2.6, -0.2), wall(2.5, 
 BED = Box((6.0, -1.5, 0.0), (6.9, 0.5, 0.5), "bed")
 TABLE = Box((5.0, 1.2, 0.7), (6.0, 1.9, 0.75), "table")
 CUP = Box((5.4, 1.3, 0.75), (5.5, 1.4, 0.85), "cup")
+TABLE_TAKEN_FOR_A_DESK = replace(TABLE, name="desk")
 
 
 def goal_at(bird_map: BirdsEyeMap, x: float, y: float, distance: float = 0.5) -> Goal:
@@ -78,6 +80,18 @@ def test_the_robot_finds_the_object_through_a_door_and_stands_before_it() -> Non
     assert math.hypot(5.45 - drive.base.x, 1.35 - drive.base.y) < 0.9
     assert abs(drive.base.bearing_to(5.45, 1.35)) < math.radians(25.0)
     assert clearance(drive.boxes, drive.base) >= 0.3
+
+
+def test_an_object_on_what_is_taken_for_something_else_is_headed_for_late_and_only_where_it_is_probable() -> None:
+    search, doubted = replace(SEARCH, object_elsewhere=ObjectElsewhere(after=40)), replace(CUP, score=0.3)
+    headed: dict[float, list[int]] = {}
+    for cup in (CUP, doubted):
+        boxes = (*room(-2.0, -2.0, 7.0, 2.0), TABLE_TAKEN_FOR_A_DESK, cup)
+        drive = Drive.begin(boxes, BasePose(3.5, 0.0, 0.0))
+        steps = [(drive.bird_map.update_count, drive.step(search.for_object())) for _ in range(50)]
+        headed[cup.score] = [count for count, step in steps if step and step[0].kind is GoalKind.OBJECT]
+    assert headed[1.0][0] == 40
+    assert headed[0.3] == []
 
 
 def test_a_door_of_ninety_centimetres_is_passable_at_three_cells() -> None:

@@ -1,6 +1,7 @@
 """What perception believes, and what the filters leave of it."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -106,9 +107,34 @@ def test_thresholds_are_read_from_a_file_by_role_and_by_class(tmp_path: Path) ->
     ]
 
 
+def test_thresholds_fall_while_the_search_goes_on_and_no_further(tmp_path: Path) -> None:
+    file = tmp_path / "thresholds.json"
+    by_role = {"object": 0.4, "start_receptacle": 0.4, "goal_receptacle": 0.4}
+    falls = {"object": {"first_step": 200, "last_step": 600, "to": 0.5}}
+    file.write_text(json.dumps({"by_role": by_role, "other": 0.6, "by_class": {"spoon": 0.8}, "falls": falls}))
+    thresholds = read_thresholds(file)
+    shares = [thresholds.of("cup", INSTRUCTION, step) / 0.4 for step in (0, 200, 400, 600, 1_250)]
+    assert shares == pytest.approx([1.0, 1.0, 0.75, 0.5, 0.5])
+    assert thresholds.of("spoon", Instruction("spoon", "table", "bed"), 1_000) == pytest.approx(0.4)
+    assert [thresholds.of(name, INSTRUCTION, 1_000) for name in ("spoon", "table", "lamp")] == [0.8, 0.4, 0.6]
+    segmentation, observation = with_candidates((("cup", 0.3),))
+    late = replace(observation, step=500)
+    assert names(ScoreFilter(thresholds)(segmentation, observation, INSTRUCTION)) == []
+    assert names(ScoreFilter(thresholds)(segmentation, late, INSTRUCTION)) == ["cup"]
+
+
+GOOD = '"by_role": {"object": 0.3, "start_receptacle": 0.3, "goal_receptacle": 0.3}, "other": 0.4, "by_class": {}'
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
+        (f'{{{GOOD}, "falls": {{"object": {{"first_step": 9, "last_step": 9, "to": 0.5}}}}}}', "a 'last_step' after"),
+        (
+            f'{{{GOOD}, "falls": {{"object": {{"first_step": 9, "last_step": 10, "to": 2}}}}}}',
+            "how thresholds fall: .*<= 1",
+        ),
+        (f'{{{GOOD}, "falls": {{"lamp": 3}}}}', "how thresholds fall"),
         ("{", "cannot be read"),
         ("[]", "'by_role'"),
         ('{"by_role": {"object": 0.3}, "other": 0.4, "by_class": {}}', "goal_receptacle, object, start_receptacle"),

@@ -154,6 +154,25 @@ def test_a_part_that_moves_out_of_view_is_seen_where_it_went_once_the_camera_tur
     assert render(scene, CAMERA, behind).depth[24, 32] == pytest.approx(4.0, abs=1e-5)
 
 
+def test_a_part_between_whose_pieces_the_camera_looks_leaves_nothing_where_it_was() -> None:
+    """Its box is in the picture and none of its triangles; where it stood before, one of its pieces was."""
+    near = quad(2.0, 0.5, Material(RED))
+    apart = np.array([[0.0, 8.0, 0.0], [0.0, -8.0, 0.0]], np.float32)
+    pieces = replace(
+        near,
+        vertices=np.concatenate([near.vertices + offset for offset in apart]),
+        normals=np.concatenate([near.normals] * 2),
+        uvs=np.concatenate([near.uvs] * 2),
+        triangles=np.concatenate([near.triangles, near.triangles + np.int32(len(near.vertices))]),
+        triangle_materials=np.concatenate([near.triangle_materials] * 2),
+    )
+    scene = Scene(NOWHERE, {"pieces": pieces})
+    scene.move("pieces", pose_matrix(np.array([0.0, 8.0, 0.0]), np.array([1.0, 0.0, 0.0, 0.0])))
+    assert render(scene, CAMERA, FORWARD).depth.any()
+    scene.move("pieces", np.eye(4))
+    assert not render(scene, CAMERA, FORWARD).depth.any()
+
+
 def test_an_object_carried_into_another_room_takes_its_light() -> None:
     home = two_rooms(_standing("table", 2.0, 2.0))
     scene = Scene(home)

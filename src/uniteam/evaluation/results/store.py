@@ -8,22 +8,17 @@ with a word in the log; rows that contradict each other, or belong to no episode
 """
 
 import json
-import logging
 from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
 
 from uniteam.errors import DamagedFileError, InvalidInputError
+from uniteam.evaluation.results.differences import differences
 from uniteam.evaluation.results.journal import Journal
 from uniteam.evaluation.results.lock import FolderLock
-from uniteam.evaluation.results.result import EpisodeResult, result_from_line, result_to_line
-from uniteam.files import try_folder, write_whole
-from uniteam.strict_json import parse_json
-
-Results = dict[str, dict[str, EpisodeResult]]
-"""By agent, then by episode, in the order in which they ended."""
-
-_log = logging.getLogger(__name__)
+from uniteam.evaluation.results.reading import REMEDY, Results, read_configuration, read_results
+from uniteam.evaluation.results.result import EpisodeResult, result_to_line
+from uniteam.files import try_folder, write_json
 
 
 class ResultStore:
@@ -54,16 +49,17 @@ class ResultStore:
 
     def _open(self, configuration: Mapping[str, Any], episodes: Collection[str]) -> None:
         path = self.directory / "config.json"
-        recorded = _read_configuration(path)
+        recorded = read_configuration(path)
         _check_same(self.directory, recorded, configuration)
         agents = {**recorded.get("agents", {}), **configuration["agents"]}
+        self.agents = tuple(agents)
         self._journal = Journal(self.directory / "results.jsonl")
         if self._journal.lines and not recorded:
-            raise DamagedFileError(f"{path} is missing beside results, so nobody knows what they are of; {_REMEDY}")
-        self.results = _read_results(self._journal, agents, episodes)
+            raise DamagedFileError(f"{path} is missing beside results, so nobody knows what they are of; {REMEDY}")
+        self.results: Results = read_results(self._journal.lines, self._journal.path, agents, episodes)
         self._lost = Journal(self.directory / "lost.jsonl")
         if recorded != {**configuration, "agents": agents}:
-            self._write("config.json", {**configuration, "agents": agents})
+            write_json(self.directory / "config.json", {**configuration, "agents": agents})
 
     def append(self, agent: str, result: EpisodeResult) -> None:
         """Record an episode's result; it is on the disk when this returns, or raises UnwritableError."""
@@ -77,51 +73,11 @@ class ResultStore:
 
     def write_summary(self, summary: Mapping[str, Any]) -> None:
         """Write `summary.json`; raises UnwritableError."""
-        self._write("summary.json", summary)
+        write_json(self.directory / "summary.json", summary)
 
     def close(self) -> None:
         """Let other processes have the directory."""
         self._lock.release()
-
-    def _write(self, name: str, data: Mapping[str, Any]) -> None:
-        write_whole(self.directory / name, (json.dumps(data, indent=2) + "\n").encode())
-
-
-_REMEDY = "choose another directory with --out, or remove this one"
-
-
-def _read_configuration(path: Path) -> dict[str, Any]:
-    if not path.exists():
-        return {}
-    try:
-        data = parse_json(path.read_bytes())
-        if not isinstance(data, dict) or not isinstance(data.get("agents"), dict):
-            raise ValueError("it is not the configuration of a run")
-    except (OSError, ValueError, RecursionError) as error:
-        raise DamagedFileError(f"{path} cannot be read ({error}); {_REMEDY}") from error
-    return data
-
-
-def _read_results(journal: Journal, agents: Collection[str], episodes: Collection[str]) -> Results:
-    results: Results = {}
-    for number, line in enumerate(journal.lines, start=1):
-        try:
-            agent, result = result_from_line(line)
-            if agent not in agents:
-                raise DamagedFileError(f"of agent '{agent}', unknown to config.json")
-            if result.episode not in episodes:
-                raise DamagedFileError(f"of episode '{result.episode}', unknown to the split")
-            first = results.setdefault(agent, {}).setdefault(result.episode, result)
-            if first.measures != result.measures:
-                raise DamagedFileError(f"a second result of {agent}'s episode '{result.episode}', and another one")
-        except DamagedFileError as error:
-            raise DamagedFileError(
-                f"the results {journal.path} are damaged (line {number} is {error}); "
-                "remove that line to play its episode again, or choose another --out"
-            ) from error
-        if first is not result:
-            _log.warning("line %d of %s repeats a result and is not counted again", number, journal.path)
-    return results
 
 
 def _check_same(directory: Path, recorded: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
@@ -129,29 +85,10 @@ def _check_same(directory: Path, recorded: Mapping[str, Any], wanted: Mapping[st
         return
     shared = {agent: own for agent, own in wanted["agents"].items() if agent in recorded["agents"]}
     try:
-        differences = _differences(recorded, {**wanted, "agents": {**recorded["agents"], **shared}})
+        found = differences(recorded, {**wanted, "agents": {**recorded["agents"], **shared}})
     except RecursionError:
-        differences = ["config.json is nested too deeply"]
-    if differences:
+        found = ["config.json is nested too deeply"]
+    if found:
         raise InvalidInputError(
-            f"{directory} holds results of another configuration ({'; '.join(differences[:5])}); {_REMEDY}"
+            f"{directory} holds results of another configuration ({'; '.join(found[:5])}); {REMEDY}"
         )
-
-
-def _differences(recorded: Any, wanted: Any, path: str = "") -> list[str]:
-    """Return a phrase for each leaf that differs between two trees of plain data."""
-    if isinstance(recorded, dict) and isinstance(wanted, dict):
-        keys = sorted({*recorded, *wanted})
-        nested = (
-            _differences(recorded.get(key, "nothing"), wanted.get(key, "nothing"), f"{path}.{key}" if path else key)
-            for key in keys
-        )
-        return [phrase for phrases in nested for phrase in phrases]
-    if type(recorded) is type(wanted) and recorded == wanted:
-        return []
-    return [f"{path} was {_shown(recorded)} and is now {_shown(wanted)}"]
-
-
-def _shown(value: Any) -> str:
-    text = value if isinstance(value, str) else json.dumps(value)
-    return text if len(text) <= 60 else text[:57] + "..."

@@ -48,6 +48,24 @@ class Summary:
         return {"episode_count": self.episode_count, "crash_count": self.crash_count, **estimates}
 
 
+SOURCE = ("split", "split_version", "split_digest", "perception", "camera", "grasp", "version")
+"""What a run's configuration says that its figures must not be read without."""
+
+
+def summarize_run(
+    configuration: Mapping[str, Any], results: Mapping[str, Sequence[EpisodeResult]], episodes_asked: int
+) -> dict[str, Any]:
+    """Return what `summary.json` holds: each agent's figures and what they are from, whatever order it played in.
+
+    Args:
+        configuration: of the run.
+        results: by agent, in the order in which they are to stand; agents without any are left out.
+        episodes_asked: how many episodes the run asks for.
+    """
+    source = {**{name: configuration[name] for name in SOURCE}, "episodes_asked": episodes_asked}
+    return {agent: {**source, **summarize(own).to_data()} for agent, own in results.items() if own}
+
+
 def summarize(results: Sequence[EpisodeResult]) -> Summary:
     """Return the figures of one agent's results; at least one."""
     rows = [measures_to_data(result.measures) for result in results]

@@ -34,6 +34,7 @@ from uniteam.mind.navigation.goals.exploration import (
     while_it_leads_on,
 )
 from uniteam.mind.navigation.goals.failed_goals import FailedGoalMemory
+from uniteam.mind.navigation.goals.object_elsewhere import ObjectElsewhere
 from uniteam.mind.navigation.goals.surround_start_receptacle import SurroundStartReceptacle
 from uniteam.mind.navigation.planning.clearance_cost import ClearancePrice
 from uniteam.mind.navigation.planning.collision_mapping import before_the_rim, keep_collisions
@@ -43,6 +44,7 @@ from uniteam.mind.navigation.planning.planner import plan_string_pulled
 from uniteam.mind.navigation.planning.planner_config import turn_in_steps
 from uniteam.mind.navigation.planning.traversible import OWN_CELLS
 from uniteam.mind.navigation.planning.true_radius import true_radius
+from uniteam.mind.perception.instance_memory import InstanceMemory
 from uniteam.mind.skills.step_aside import AfterBlockedMotions
 from uniteam.stretch import DEPTH_RANGE
 
@@ -223,6 +225,16 @@ BEYOND: tuple[Improvement, ...] = (
         search__start_receptacle_again=SurroundStartReceptacle(farthest=CLOSE),
         map__closer_looks=ResolvedLook(farthest=CLOSE_LOOK),
         planner__no_path=keep_collisions,
+    ),
+    replacing(
+        "instance_memory",
+        "what a thing is taken for is decided by all views of it together, not by each frame",
+        remember=InstanceMemory(),
+    ),
+    replacing(
+        "object_elsewhere",
+        "after a long search, an object is taken wherever it lies",
+        search__object_elsewhere=ObjectElsewhere(),
     ),
     replacing("low_drop", "a small object is released close above the surface", place__release__least_height=LOW_DROP),
 )

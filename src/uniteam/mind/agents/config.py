@@ -20,6 +20,7 @@ from uniteam.mind.navigation.planning.planner import Planner
 from uniteam.mind.navigation.planning.planner_config import PlannerConfig
 from uniteam.mind.navigation.planning.ring_planner import plan_by_ring
 from uniteam.mind.perception.filters import Filter, ScoreFilter, Thresholds
+from uniteam.mind.perception.instance_memory import Remember, forget_instances
 from uniteam.mind.skills.step_aside import never_step_aside
 
 
@@ -42,6 +43,7 @@ class AgentConfig:
         first_turns: turns of 30 degrees to look around with at first.
         first_look: to which side they are, and when fewer are enough.
         make_planner: makes the planner of an episode.
+        remember: makes an episode's memory of what single things were taken for, before the filters.
     """
 
     filters: tuple[Filter, ...]
@@ -58,6 +60,7 @@ class AgentConfig:
     first_turns: int = HOMEROBOT_TURNS
     first_look: FirstLook = field(default_factory=FirstLook)
     make_planner: Callable[[PlannerConfig], Planner] = plan_by_ring
+    remember: Callable[[], Remember] = forget_instances
 
 
 BASELINE = AgentConfig(

@@ -46,6 +46,7 @@ class HeuristicAgent:
         self._explained: Segmentation | None = None
         self._board = Blackboard.fresh(instruction, self.config, seed)
         self._machine = StateMachine()
+        self._remember = self.config.remember()
 
     def act(self, observation: Observation) -> Decision:
         """Look, remember, decide."""
@@ -73,6 +74,7 @@ class HeuristicAgent:
                 f"perception {type(self._perception).__name__} gave a segmentation of {segmentation.instances.shape} "
                 f"for a frame of {observation.depth.shape}; resize its instances to the frame, by nearest neighbour"
             )
+        segmentation = self._remember(segmentation, observation, instruction)
         for believe in self.config.filters:
             segmentation = believe(segmentation, observation, instruction)
         return segmentation

@@ -15,6 +15,7 @@ class Relaxation(Enum):
     FAILED_GOALS = auto()
     COLLISIONS = auto()
     LOOKS = auto()
+    EXPLORED = auto()
 
 
 def give_up(rounds: int) -> Relaxation | None:
@@ -24,13 +25,18 @@ def give_up(rounds: int) -> Relaxation | None:
 
 @dataclass(frozen=True)
 class LastRound:
-    """Tries again what failed, feels its way where it was blocked, and looks again at what it has looked at.
+    """Tries again what failed, looks again at what it has looked at, goes round the home again, and feels its way.
 
     Attributes:
         order: of what is forgotten, one a round, over and over until the steps are used up.
     """
 
-    order: tuple[Relaxation, ...] = (Relaxation.FAILED_GOALS, Relaxation.LOOKS, Relaxation.COLLISIONS)
+    order: tuple[Relaxation, ...] = (
+        Relaxation.FAILED_GOALS,
+        Relaxation.LOOKS,
+        Relaxation.EXPLORED,
+        Relaxation.COLLISIONS,
+    )
 
     def __call__(self, rounds: int) -> Relaxation | None:
         """Return what to forget after so many rounds."""

@@ -22,7 +22,7 @@ def draw_overlay(
     window = window_around(bird_map, base)
     labels = np.full((window.high[0] - window.low[0], window.high[1] - window.low[1]), MapLabel.UNKNOWN, dtype=np.uint8)
     for label, channel in _layers(bird_map, goal):
-        labels[window.cut(channel)] = label
+        np.maximum(labels, window.cut(channel).view(np.uint8) * np.uint8(label), out=labels)  # later labels are larger
     return MapOverlay(
         labels,
         _corner(bird_map, window),
@@ -35,13 +35,13 @@ def draw_overlay(
 
 def _layers(bird_map: BirdsEyeMap, goal: Goal | None) -> tuple[tuple[MapLabel, Mask], ...]:
     """Return the labels and their cells, the lowest first."""
-    frontier = goal.cells if goal is not None and goal.kind is GoalKind.FRONTIER else np.zeros_like(bird_map.obstacle)
+    frontier = ((MapLabel.FRONTIER, goal.cells),) if goal is not None and goal.kind is GoalKind.FRONTIER else ()
     return (
         (MapLabel.FREE, bird_map.explored),
         (MapLabel.VISITED, bird_map.visited),
         (MapLabel.OBSTACLE, bird_map.obstacle),
         (MapLabel.COLLISION, bird_map.collision),
-        (MapLabel.FRONTIER, frontier),
+        *frontier,
         (MapLabel.START_RECEPTACLE, bird_map.class_cells(ClassRole.START_RECEPTACLE)),
         (MapLabel.GOAL_RECEPTACLE, bird_map.class_cells(ClassRole.GOAL_RECEPTACLE)),
         (MapLabel.OBJECT, bird_map.class_cells(ClassRole.OBJECT)),

@@ -187,6 +187,8 @@ def _relax(board: Blackboard) -> bool:
         board.failed_goals.forget()
     elif relaxation is Relaxation.COLLISIONS:
         forget_all(board.bird_map)
+    elif relaxation is Relaxation.EXPLORED:
+        board.bird_map.forget_explored()
     elif relaxation is Relaxation.LOOKS:
         board.bird_map.forget_looks()
         board.search = board.config.search.for_another_look()

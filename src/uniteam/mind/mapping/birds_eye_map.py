@@ -168,6 +168,10 @@ class BirdsEyeMap:
         self.looked_from[:] = 0
         self._looks = self.config.closer_looks
 
+    def forget_explored(self) -> None:
+        """Forget where anything was seen, so that the robot goes everywhere again; what was seen there stays known."""
+        self.explored[:] = False
+
     def forget_probability(self, role: ClassRole) -> None:
         """Forget how probable the class is wherever it was seen; that it was seen stays known."""
         self._class_probability[role] = 0.0

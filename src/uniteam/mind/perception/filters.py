@@ -18,32 +18,54 @@ Filter = Callable[[Segmentation, Observation, Instruction], Segmentation]
 
 
 @dataclass(frozen=True)
+class Fall:
+    """How a threshold falls while an episode goes on: who has searched for long should do with less evidence.
+
+    Attributes:
+        first_step, last_step: between these steps it falls in a straight line, before and after it does not.
+        to: the share of it that is left in the end.
+    """
+
+    first_step: int
+    last_step: int
+    to: float
+
+    def share(self, step: int) -> float:
+        """Return which share of the threshold is left at a step."""
+        return float(np.interp(step, (self.first_step, self.last_step), (1.0, self.to)))
+
+
+@dataclass(frozen=True)
 class Thresholds:
     """The lowest score that is believed, by what a class is to the instruction, or by its name where that is known.
 
-    The baseline has one for everything, UniTeam's `class_thresholds` one for each role.
+    The baseline has one for everything, UniTeam's `class_thresholds` one for each role, which may fall.
 
     Attributes:
         by_role: of the instruction's classes.
         other: of every other class.
         by_class: of single classes; goes before the others.
+        falls: how those of a role fall with the steps; of a role that is left out they do not.
     """
 
     by_role: Mapping[ClassRole, float]
     other: float
     by_class: Mapping[str, float] = field(default_factory=dict)
+    falls: Mapping[ClassRole, Fall] = field(default_factory=dict)
 
     @staticmethod
     def single(threshold: float) -> "Thresholds":
         """Return one threshold for everything, as HomeRobot's baseline has it."""
         return Thresholds({role: threshold for role in ClassRole}, threshold)
 
-    def of(self, name: str, instruction: Instruction) -> float:
-        """Return the threshold of a class; the lowest of its roles' where it plays several."""
-        if name in self.by_class:
-            return self.by_class[name]
+    def of(self, name: str, instruction: Instruction, step: int = 0) -> float:
+        """Return the threshold of a class at a step; the lowest of its roles' where it plays several."""
         roles = roles_of_name(name, instruction)
-        return min((self.by_role[role] for role in roles), default=self.other)
+        of_roles = (self.by_class.get(name, self.by_role[role]) * self._share(role, step) for role in roles)
+        return min(of_roles, default=self.by_class.get(name, self.other))
+
+    def _share(self, role: ClassRole, step: int) -> float:
+        return self.falls[role].share(step) if role in self.falls else 1.0
 
 
 @dataclass(frozen=True)
@@ -54,13 +76,12 @@ class ScoreFilter:
 
     def __call__(self, segmentation: Segmentation, observation: Observation, instruction: Instruction) -> Segmentation:
         """Return what is believed of the segmentation."""
-        believed = partial(self._believed, instruction=instruction)
+        believed = partial(self._believed, instruction=instruction, step=observation.step)
         return change_detections(segmentation, [believed(d) for d in segmentation.detections])
 
-    def _believed(self, detection: Detection, instruction: Instruction) -> Detection | None:
-        candidates = tuple(
-            (name, score) for name, score in detection.candidates if score >= self.thresholds.of(name, instruction)
-        )
+    def _believed(self, detection: Detection, instruction: Instruction, step: int) -> Detection | None:
+        of = partial(self.thresholds.of, instruction=instruction, step=step)
+        candidates = tuple((name, score) for name, score in detection.candidates if score >= of(name))
         return Detection(candidates, detection.embedding) if candidates else None
 
 

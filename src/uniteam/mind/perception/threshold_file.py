@@ -5,9 +5,12 @@ A missed object ends the episode, so little evidence is enough to go and look; a
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Annotated, Literal
+
+import msgspec
 
 from uniteam.errors import DamagedFileError
-from uniteam.mind.perception.filters import Thresholds
+from uniteam.mind.perception.filters import Fall, Thresholds
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.strict_json import parse_json
 
@@ -15,8 +18,22 @@ THRESHOLD_FILE = Path(__file__).with_name("thresholds.json")
 """The package's own; `by_class` holds the classes for which a perception has been measured."""
 
 
+RoleName = Literal["object", "start_receptacle", "goal_receptacle"]
+
+
+class FallData(msgspec.Struct, forbid_unknown_fields=True):
+    """A `Fall`, as the file has it."""
+
+    first_step: Annotated[int, msgspec.Meta(ge=0)]
+    last_step: Annotated[int, msgspec.Meta(ge=1)]
+    to: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
+
+
 def read_thresholds(path: Path = THRESHOLD_FILE) -> Thresholds:
     """Return the thresholds of a JSON file with "by_role", "other" and "by_class", each a score in [0, 1].
+
+    It may say how a role's fall with the steps: "falls", of each role "first_step", "last_step" and the share "to" that
+    is left.
 
     Raises:
         DamagedFileError: the file cannot be read as that; the message names the file and the field.
@@ -37,8 +54,25 @@ def read_thresholds(path: Path = THRESHOLD_FILE) -> Thresholds:
         )
     other = _scores(path, {"other": {"other": fields.get("other")}}, "other")["other"]
     return Thresholds(
-        {role: by_role[role.name.lower()] for role in ClassRole}, other, _scores(path, fields, "by_class")
+        {role: by_role[role.name.lower()] for role in ClassRole},
+        other,
+        _scores(path, fields, "by_class"),
+        _falls(path, fields.get("falls", {})),
     )
+
+
+def _falls(path: Path, given: object) -> dict[ClassRole, Fall]:
+    try:
+        falls = msgspec.convert(given, dict[RoleName, FallData])
+    except msgspec.ValidationError as error:
+        raise DamagedFileError(f"'{path}' must say in 'falls' how thresholds fall: {error}; correct it") from error
+    for name, fall in falls.items():
+        if fall.first_step >= fall.last_step:
+            raise DamagedFileError(
+                f"'{path}' must have a 'last_step' after the 'first_step' in the fall of '{name}', got "
+                f"{fall.first_step} to {fall.last_step}; correct it"
+            )
+    return {ClassRole[name.upper()]: Fall(fall.first_step, fall.last_step, fall.to) for name, fall in falls.items()}
 
 
 def _scores(path: Path, fields: Mapping[str, object], name: str) -> dict[str, float]:

@@ -1,41 +1,35 @@
 """A home as the camera sees it: stage, instances and extra parts, each of which can be moved, shown and hidden."""
 
 from collections import defaultdict
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.world.assets.mesh import Mesh
-from uniteam.world.homes.home import Home
+from uniteam.world.homes.home import Home, Instance
 from uniteam.world.rendering.kernels.culling import may_be_seen, screen_bounds
 from uniteam.world.rendering.kernels.lighting import RoomLight, outdoor_light, pose_part, room_light
 from uniteam.world.rendering.kernels.scene_buffers import SceneBuffers, Workspace
-from uniteam.world.rendering.kernels.texture_atlas import AtlasBuilder, MipCache
-from uniteam.world.rendering.meshes.floor_shade import FloorShade, floor_shade
+from uniteam.world.rendering.kernels.texture_atlas import MipCache
+from uniteam.world.rendering.meshes.floor_shade import floor_shade
 from uniteam.world.rendering.meshes.render_mesh import RenderMesh, load_render_mesh, make_render_mesh
 from uniteam.world.rendering.meshes.stage_mesh import StagePart, room_at, stage_parts
+from uniteam.world.rendering.scene_arrays import ScenePart, corners_of, packed
 
 Transform = NDArray[np.float64]
 
-MOST_TRIANGLES = 20_000_000
-"""Of a home and all that stands in it: more would fill the memory."""
+MeshOf = Callable[[Home, Instance], RenderMesh]
+"""What is shown for an instance of a home."""
 
 _stage_mips = MipCache()
 """The few textures of floors and walls are prepared once a process, as the pack's models are."""
 
 
-@dataclass(frozen=True)
-class _Part:
-    """One piece of a scene before it is packed; `room` is None where it takes the light of where it stands."""
-
-    name: str
-    mesh: RenderMesh
-    label: int
-    is_stage: bool = False
-    is_glowing: bool = False
+def mesh_of_model(home: Home, instance: Instance) -> RenderMesh:
+    """Return the mesh of an instance's model; raises DamagedFileError."""
+    return load_render_mesh(home.model_of(instance))
 
 
 class Scene:
@@ -45,12 +39,13 @@ class Scene:
     their instances, or by their keys in `parts`.
     """
 
-    def __init__(self, home: Home, parts: Mapping[str, Mesh] | None = None) -> None:
+    def __init__(self, home: Home, parts: Mapping[str, Mesh] | None = None, mesh_of: MeshOf = mesh_of_model) -> None:
         """Gather the geometry.
 
         Args:
             home: its stage and instances; the instance image shows indices into `home.instances`.
             parts: further meshes by name (the robot's links), at the world's origin until they are moved; label -1.
+            mesh_of: what is shown for an instance, in its model's frame.
 
         Raises:
             DamagedFileError: a file of the home's library, or the stage's mesh, cannot be read.
@@ -58,7 +53,7 @@ class Scene:
         """
         self.home = home
         stage = stage_parts(home.stage, home.library)
-        entries = _stage_entries(stage) + _instance_entries(home) + _extra_entries(parts or {})
+        entries = _stage_entries(stage) + _instance_entries(home, mesh_of) + _extra_entries(parts or {})
         self._meshes = tuple(entry.mesh for entry in entries)
         self._glowing = tuple(entry.is_glowing for entry in entries)
         self._lights = [room_light(room, home.stage.ceiling_height) for room in home.stage.rooms]
@@ -66,11 +61,11 @@ class Scene:
         self._parts_of: dict[str, list[int]] = defaultdict(list)
         for index, entry in enumerate(entries):
             self._parts_of[entry.name].append(index)
-        self._buffers = _pack(entries, floor_shade(home))
+        self._buffers = packed(entries, floor_shade(home))
         self._poses = np.tile(np.eye(4), (len(entries), 1, 1))
         self._stale: set[int] = set()
         self._workspaces: dict[tuple[int, int], Workspace] = {}
-        self._corners = [_corners(mesh) for mesh in self._meshes]
+        self._corners = [corners_of(mesh) for mesh in self._meshes]
         for index in range(len(entries)):
             self._place_box(index)
         for index, part in enumerate(stage):
@@ -110,9 +105,10 @@ class Scene:
         return self._brought_up_to_date(self._buffers.part_visible)
 
     def buffers_in_view(self, projection: NDArray[np.float32], height: int, width: int) -> SceneBuffers:
-        """Return the arrays, with every part that may be in a picture where it was last moved to, and no other shown.
+        """Return the arrays, with every part that may be in a picture where it was last moved to, and others hidden.
 
-        The robot moves in nearly every frame, and its own camera sees little of it.
+        The robot moves in nearly every frame, and its own camera sees little of it. A part that stays where it was is
+        hidden, for there it may be in the picture.
 
         Args:
             projection: (3, 4) from the world to pixel coordinates times depth.
@@ -125,8 +121,10 @@ class Scene:
             if may_be[index]:
                 mesh, from_model = self._meshes[index], _after(projection, self._poses[index])
                 may_be[index] = may_be_seen(mesh.vertices, mesh.triangles, from_model, width, height)
-        # What is left where it was before must not be drawn there: its box may be in the picture all the same.
-        return self._brought_up_to_date(may_be)._replace(part_visible=may_be)
+        buffers = self._brought_up_to_date(may_be)
+        shown = buffers.part_visible.copy()
+        shown[list(self._stale)] = False
+        return buffers._replace(part_visible=shown)
 
     def _brought_up_to_date(self, is_wanted: NDArray[np.bool_]) -> SceneBuffers:
         for index in sorted(index for index in self._stale if is_wanted[index]):
@@ -177,78 +175,16 @@ def _after(projection: NDArray[np.float32], pose: Transform) -> NDArray[np.float
     return moved.astype(np.float32)
 
 
-def _stage_entries(stage: tuple[StagePart, ...]) -> list[_Part]:
+def _stage_entries(stage: tuple[StagePart, ...]) -> list[ScenePart]:
     return [
-        _Part(p.name, make_render_mesh(p.mesh, _stage_mips), -1, is_stage=True, is_glowing=p.is_glowing) for p in stage
+        ScenePart(p.name, make_render_mesh(p.mesh, _stage_mips), -1, is_stage=True, is_glowing=p.is_glowing)
+        for p in stage
     ]
 
 
-def _instance_entries(home: Home) -> list[_Part]:
-    return [
-        _Part(instance.name, load_render_mesh(home.model_of(instance)), label)
-        for label, instance in enumerate(home.instances)
-    ]
+def _instance_entries(home: Home, mesh_of: MeshOf) -> list[ScenePart]:
+    return [ScenePart(instance.name, mesh_of(home, instance), label) for label, instance in enumerate(home.instances)]
 
 
-def _extra_entries(parts: Mapping[str, Mesh]) -> list[_Part]:
-    return [_Part(name, make_render_mesh(mesh), -1) for name, mesh in parts.items()]
-
-
-def _corners(mesh: RenderMesh) -> NDArray[np.float64]:
-    choice = np.array([[(k >> axis) & 1 for axis in range(3)] for k in range(8)])
-    return np.where(choice == 1, mesh.high.astype(np.float64), mesh.low.astype(np.float64))
-
-
-def _pack(parts: list[_Part], shade: FloorShade) -> SceneBuffers:
-    """Lay the parts' arrays end to end; world vertices and light are filled in when the parts get their poses."""
-    meshes = [part.mesh for part in parts]
-    triangle_count = sum(len(mesh.triangles) for mesh in meshes)
-    if triangle_count > MOST_TRIANGLES:
-        raise InvalidInputError(f"a home may show {MOST_TRIANGLES} triangles, this one has {triangle_count}")
-    vertex_ends = np.cumsum([len(d.vertices) for d in meshes])
-    triangle_ends = np.cumsum([len(d.triangles) for d in meshes])
-    vertex_starts, triangle_starts = (np.concatenate([[0], ends[:-1]]) for ends in (vertex_ends, triangle_ends))
-    atlas = AtlasBuilder()
-    bases, colors, textures = _pack_materials(meshes, atlas)
-    packed = atlas.build()
-    vertex_count, part_count = int(vertex_ends[-1]), len(parts)
-    return SceneBuffers(
-        vertices=np.zeros((vertex_count, 3), dtype=np.float32),
-        light=np.ones((vertex_count, 2), dtype=np.float32),
-        uvs=np.concatenate([d.uvs for d in meshes]),
-        triangles=np.concatenate([d.triangles + np.int32(s) for d, s in zip(meshes, vertex_starts, strict=True)]),
-        triangle_parts=np.repeat(np.arange(part_count, dtype=np.int32), [len(d.triangles) for d in meshes]),
-        triangle_materials=np.concatenate(
-            [d.triangle_materials + np.int32(b) for d, b in zip(meshes, bases, strict=True)]
-        ),
-        texel_areas=np.concatenate([d.texel_areas for d in meshes]),
-        material_colors=colors,
-        material_textures=textures,
-        texture_layout=packed.layout,
-        texels=packed.texels,
-        part_ranges=np.stack([vertex_starts, vertex_ends, triangle_starts, triangle_ends], axis=1).astype(np.int32),
-        part_boxes=np.zeros((part_count, 8, 3), dtype=np.float32),
-        part_labels=np.array([part.label for part in parts], dtype=np.int16),
-        part_tints=np.ones((part_count, 3), dtype=np.float32),
-        part_visible=np.ones(part_count, dtype=bool),
-        part_is_stage=np.array([part.is_stage for part in parts], dtype=bool),
-        floor_shade=shade.values,
-        floor_frame=shade.frame,
-    )
-
-
-def _pack_materials(
-    meshes: list[RenderMesh], atlas: AtlasBuilder
-) -> tuple[list[int], NDArray[np.float32], NDArray[np.int32]]:
-    """Return where each mesh's materials begin, and the colours and textures of all of them."""
-    base_of: dict[int, int] = {}
-    colors: list[NDArray[np.float32]] = []
-    textures: list[int] = []
-    bases = []
-    for mesh in meshes:
-        if id(mesh) not in base_of:
-            base_of[id(mesh)] = len(textures)
-            colors.append(mesh.colors)
-            textures += [atlas.add(chain) for chain in mesh.textures]
-        bases.append(base_of[id(mesh)])
-    return bases, np.concatenate(colors), np.array(textures, dtype=np.int32)
+def _extra_entries(parts: Mapping[str, Mesh]) -> list[ScenePart]:
+    return [ScenePart(name, make_render_mesh(mesh), -1) for name, mesh in parts.items()]

@@ -1,7 +1,8 @@
 """A home in motion as cameras see it: the scene, kept where the physics and the robot are."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,6 @@ from numpy.typing import NDArray
 from uniteam.geometry import PinholeCamera
 from uniteam.stretch import head_camera_to_base
 from uniteam.world.homes.home import Home
-from uniteam.world.physics.physics import Physics
 from uniteam.world.rendering.camera import render, render_geometry
 from uniteam.world.rendering.kernels.frame import Frame, Geometry
 from uniteam.world.rendering.meshes.robot_mesh import part_poses, robot_parts
@@ -22,12 +22,27 @@ _OVERHEAD = 1.9
 """What stands higher than this (m) hangs from the ceiling, and would hide the robot from above."""
 
 
+class ObjectPoses(Protocol):
+    """Where the objects of a home are: its physics, or a recording of it."""
+
+    @property
+    def names(self) -> Sequence[str]:
+        """The movable instances."""
+
+    @property
+    def version(self) -> int:
+        """Another one whenever an object may have moved."""
+
+    def poses(self) -> NDArray[np.float64]:
+        """Return the (N, 4, 4) poses (world) of the objects in the order of `names`."""
+
+
 class HomeView:
     """The scene of a home with the robot in it."""
 
-    def __init__(self, home: Home, physics: Physics) -> None:
-        """Build the scene; objects are where `physics` has them whenever a frame is taken."""
-        self._physics = physics
+    def __init__(self, home: Home, objects: ObjectPoses) -> None:
+        """Build the scene; the objects are where `objects` has them whenever a frame is taken."""
+        self._objects = objects
         self._scene = Scene(home, robot_parts())
         self._watcher = Watcher(home.stage)
         self._overhead = tuple(name for name in ("ceiling", *_hanging(home)) if name in self._scene.names)
@@ -72,10 +87,10 @@ class HomeView:
 
     def _object_poses(self) -> dict[str, NDArray[np.float64]]:
         """Return the poses of all objects if any may have moved since they were last asked for."""
-        if self._seen_version == self._physics.version:
+        if self._seen_version == self._objects.version:
             return {}
-        self._seen_version = self._physics.version
-        return dict(zip(self._physics.names, self._physics.poses(), strict=True))
+        self._seen_version = self._objects.version
+        return dict(zip(self._objects.names, self._objects.poses(), strict=True))
 
 
 def _hanging(home: Home) -> Iterator[str]:

@@ -172,6 +172,31 @@ class Simulator:
         self._forget_view()
         return events
 
+    def creep(self, displacement: BaseDisplacement, joints: Joints) -> StepEvents:
+        """Move the base by however little, then the joints, while no time passes: for a robot that moves in time."""
+        before = self._state
+        events = self._displace(displacement)
+        if joints != self.joints:
+            events = events.then(self._pose(joints))
+        if self._state != before:
+            self._forget_view()
+        return events
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass, in which only objects move."""
+        version = self.physics.version
+        with section("physics"):
+            self.physics.advance(seconds)
+            self._watch.update()
+        if self.physics.version != version:
+            self._forget_view()
+
+    def grip(self, closed: bool, rule: GraspRule) -> StepEvents:
+        """Close the gripper on what a rule names, or open it, while no time passes."""
+        events = self._do(DiscreteAction.SNAP_OBJECT if closed else DiscreteAction.DESNAP_OBJECT, rule)
+        self._forget_view()
+        return events
+
     def _forget_view(self) -> None:
         self._frame = self._geometry = None
 

@@ -8,11 +8,9 @@ be plain JSON lines, so that a split can be written by hand.
 """
 
 import gzip
-import json
 import zlib
-from dataclasses import MISSING, asdict, fields
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import msgspec
 
@@ -22,10 +20,11 @@ from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction, Joints
 from uniteam.world.assets.reading import decode_json
 from uniteam.world.homes.home import Home
-from uniteam.world.homes.serialization import home_from_data, home_to_data
+from uniteam.world.homes.serialization import home_from_data
 from uniteam.world.task.check_episode import episode_problems
+from uniteam.world.task.encode_split import encode_split
 from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
-from uniteam.world.task.lattice import points_to_runs, runs_to_points
+from uniteam.world.task.lattice import runs_to_points
 from uniteam.world.task.split_schema import (
     MOST_BYTES,
     MOST_VIEW_POINTS,
@@ -54,8 +53,21 @@ def load_split(name_or_path: str | Path) -> Split:
         DamagedFileError: the file is not a split, or something in it makes no sense; the sentence says where.
     """
     path = _path_of(str(name_or_path))
+    return decode_split(_read(path), path)
+
+
+def decode_split(content: bytes, path: Path) -> Split:
+    """Return the split that the lines of a file say.
+
+    Args:
+        content: of the file, unpacked.
+        path: of the file; the split bears its name, and what it names lies beside it.
+
+    Raises:
+        DamagedFileError: the content is not a split, or something in it makes no sense; the sentence says where.
+    """
     contents = _Contents(path)
-    for number, line in enumerate(_read(path).split(b"\n"), start=1):
+    for number, line in enumerate(content.split(b"\n"), start=1):
         if line.strip():
             try:
                 contents.add(line)
@@ -141,20 +153,8 @@ def _field(error: Exception) -> str:
 
 
 def write_split(split: Split, path: Path) -> None:
-    """Write a split so that the same split gives the same bytes; raises UnwritableError.
-
-    What has the value that a file without it is read with is left out, so that a file of before stays as it is.
-    """
-    lines: list[dict[str, Any]] = [] if split.version == 1 else [{"split": {"version": split.version}}]
-    for name, home in split.homes.items():
-        episodes = [e for e in split.episodes if e.home == name]
-        candidates = [c for e in episodes for c in (*e.objects, *e.goal_receptacles)]
-        runs = {c.name: points_to_runs(c.view_points) for c in sorted(candidates, key=lambda c: c.name)}
-        lines.append({"home": home_to_data(home, path.parent)})
-        lines.append({"view_points": {"home": name, "instances": runs}})
-        lines += ({"episode": _encode_episode(episode)} for episode in episodes)
-    text = "".join(json.dumps(line, separators=(",", ":")) + "\n" for line in lines)
-    write_whole(path, gzip.compress(text.encode(), mtime=0))
+    """Write a split, packed; raises UnwritableError."""
+    write_whole(path, gzip.compress(encode_split(split, path.parent), mtime=0))
 
 
 def _path_of(name_or_path: str) -> Path:
@@ -188,28 +188,6 @@ def _damaged(path: Path, what: str) -> DamagedFileError:
     return DamagedFileError(
         f"the episode file {path} cannot be read ({what}); write it again with 'uniteam episodes', or reinstall uniteam"
     )
-
-
-def _encode_episode(episode: Episode) -> dict[str, Any]:
-    return {
-        "id": episode.id,
-        "home": episode.home,
-        "start": asdict(episode.start),
-        "instruction": asdict(episode.instruction),
-        "objects": [candidate.name for candidate in episode.objects],
-        "start_receptacles": list(episode.start_receptacles),
-        "goal_receptacles": [candidate.name for candidate in episode.goal_receptacles],
-        "unseen": episode.unseen,
-        "seed": episode.seed,
-        "certificate": _encode_certificate(episode.certificate) if episode.certificate else None,
-        **({"tags": asdict(episode.tags)} if episode.tags else {}),
-    }
-
-
-def _encode_certificate(certificate: Certificate) -> dict[str, Any]:
-    defaults = {f.name: f.default for f in fields(Certificate) if f.default is not MISSING}
-    told = {f.name for f in fields(Certificate) if getattr(certificate, f.name) != defaults.get(f.name, MISSING)}
-    return {name: value for name, value in asdict(certificate).items() if name in told}
 
 
 def _episode(data: EpisodeData, seen_from: ViewPoints) -> Episode:

@@ -7,11 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.mind.manipulation.arm_clearance import Load
+from uniteam.mind.manipulation.place.around_samples import cells_as_high
 from uniteam.mind.manipulation.place.headroom import CELL, RISE
 from uniteam.mind.skills.view import Points
 
 EDGE_SAMPLES = 150
 """How many points to weigh: three times the baseline's, since what is sought is a place and no longer a crowd."""
+_HALF = 16
+"""Cells to either side of a point that are looked at: 0.4 m."""
 BEYOND_MARGIN = 0.1
 """What a metre from the edge beyond the margin is worth: enough to decide between points that all have the margin."""
 
@@ -33,19 +36,20 @@ class EdgeMargin:
 
     def __call__(self, points: Points, samples: Points, load: Load) -> NDArray[np.float64]:
         """Return the (K,) worth (m) of (K, 3) samples of (N, 3) points; -inf where they are not offered."""
-        distance = np.array([self._edge_distance(points, sample) for sample in samples])
+        distance = edge_distances(points, samples)
         margin = max(self.margin, load.along_base)
         worth = np.minimum(distance, margin) + BEYOND_MARGIN * distance
         return np.where(distance >= min(self.least, distance.max(initial=0.0)), worth, -np.inf)
 
-    def _edge_distance(self, points: Points, sample: NDArray[np.float32]) -> float:
-        """Return how far (m) the sample is from where its surface ends, up to 0.4 m."""
-        half = 16
-        near = np.abs(points[:, :2] - sample[:2]).max(axis=1) < half * CELL
-        as_high = points[near & (points[:, 2] > sample[2] - 1.5 * RISE), :2]
-        column, row = np.rint((as_high - sample[:2]) / CELL).astype(np.int64).T
-        cells = np.zeros((2 * half + 1, 2 * half + 1), dtype=np.uint8)
-        cells[row + half, column + half] = 1
-        closed = cv2.morphologyEx(cells, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
-        padded = cv2.copyMakeBorder(closed, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
-        return float(cv2.distanceTransform(padded, cv2.DIST_L2, 3)[half + 1, half + 1]) * CELL
+
+def edge_distances(points: Points, samples: Points) -> NDArray[np.float64]:
+    """Return how far (m) each of (K, 3) samples is from where its surface ends, up to 0.4 m."""
+    cells = cells_as_high(points, samples, _HALF, np.float32(CELL), np.float32(1.5 * RISE))
+    return np.array([_inside(of_sample) for of_sample in cells], dtype=np.float64) * CELL
+
+
+def _inside(cells: NDArray[np.uint8]) -> float:
+    """Return how many cells the middle one is from the nearest empty one, gaps of one cell left out of account."""
+    closed = cv2.morphologyEx(cells, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
+    padded = cv2.copyMakeBorder(closed, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
+    return float(cv2.distanceTransform(padded, cv2.DIST_L2, 3)[_HALF + 1, _HALF + 1])

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.mind.manipulation.place.around_samples import share_as_high
 from uniteam.mind.manipulation.place.headroom import RISE
 from uniteam.mind.skills.view import Points
 
@@ -24,8 +25,4 @@ class FlatGround:
 
     def __call__(self, points: Points, samples: Points) -> NDArray[np.float64]:
         """Return (K,) what is added to the worth of each of (K, 3) samples of (N, 3) points (m)."""
-        return self.worth * np.array([self._flatness(points, sample) for sample in samples])
-
-    def _flatness(self, points: Points, sample: NDArray[np.float32]) -> float:
-        near = points[np.abs(points[:, :2] - sample[:2]).max(axis=1) < self.radius, 2]
-        return float(np.mean(np.abs(near - sample[2]) < RISE)) if len(near) else 0.0
+        return self.worth * share_as_high(points, samples, np.float32(self.radius), np.float32(RISE))

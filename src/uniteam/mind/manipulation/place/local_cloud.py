@@ -1,6 +1,7 @@
 """What was seen around the robot while it closed in: the points of several views, together."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose, invert_transform, transform_points
 from uniteam.mind.perception.vocabulary import ClassRole
@@ -13,6 +14,7 @@ _GRAIN = 0.02
 """m; of points closer together than this, one is kept."""
 _OWN_RADIUS = BASE_RADIUS + 0.02
 """m around the base's axis; what is seen there is the robot itself, give or take a grain."""
+_NO_KEY = np.iinfo(np.int64).max
 _BITS = 21
 """Of a grain's place along an axis: 42 km of grains of 2 cm, so that three of them make one key of 63 bits."""
 
@@ -22,9 +24,7 @@ class LocalCloud:
 
     def __init__(self) -> None:
         """Begin with nothing seen."""
-        self._goal = np.zeros((0, 3))
-        self._others = np.zeros((0, 3))
-        self._surroundings = np.zeros((0, 3))
+        self._goal, self._others, self._surroundings = _Grains(), _Grains(), _Grains()
 
     def add(self, view: View, goal: Points) -> None:
         """Add what a view shows; the arm must be retracted in it, or it is taken for furniture.
@@ -34,21 +34,21 @@ class LocalCloud:
             goal: (N, 3) points (m, base frame) of it that are the goal receptacle's.
         """
         pose = view.observation.base_to_start
-        self._goal = _merge(self._goal, _to_start(_around(goal), pose))
-        self._others = _merge(self._others, _to_start(_around(view.surroundings_but(ClassRole.GOAL_RECEPTACLE)), pose))
-        self._surroundings = _merge(self._surroundings, _to_start(_around(view.surroundings()), pose))
+        self._goal.add(_to_start(_around(goal), pose))
+        self._others.add(_to_start(_around(view.surroundings_but(ClassRole.GOAL_RECEPTACLE)), pose))
+        self._surroundings.add(_to_start(_around(view.surroundings()), pose))
 
     def goal_points(self, pose: BasePose) -> Points:
         """Return the (N, 3) points seen of goal receptacles, in the frame of a base that stands at `pose` (m)."""
-        return _to_base(self._goal, pose)
+        return _to_base(self._goal.points, pose)
 
     def others(self, pose: BasePose) -> Points:
         """Return the (N, 3) points seen of anything else, in the frame of a base that stands at `pose` (m)."""
-        return _to_base(self._others, pose)
+        return _to_base(self._others.points, pose)
 
     def surroundings(self, pose: BasePose) -> Points:
         """Return the (N, 3) points seen of anything, in the frame of a base that stands at `pose` (m)."""
-        return _to_base(self._surroundings, pose)
+        return _to_base(self._surroundings.points, pose)
 
 
 def _around(points: Points) -> Points:
@@ -56,19 +56,33 @@ def _around(points: Points) -> Points:
     return points[(distance < _RADIUS) & (distance > _OWN_RADIUS)]
 
 
-def _to_start(points: Points, pose: BasePose) -> np.ndarray:
+def _to_start(points: Points, pose: BasePose) -> NDArray[np.float64]:
     return transform_points(pose.matrix(), points)
 
 
-def _to_base(points: np.ndarray, pose: BasePose) -> Points:
+def _to_base(points: NDArray[np.float64], pose: BasePose) -> Points:
     return transform_points(invert_transform(pose.matrix()), points).astype(np.float32)
 
 
-def _merge(known: np.ndarray, new: np.ndarray) -> np.ndarray:
-    """Return all points, one of each grain; the known ones stay."""
-    points = np.concatenate([known, new])
+class _Grains:
+    """Points, (N, 3) m, one of each grain of space: the first that was added."""
+
+    def __init__(self) -> None:
+        """Begin with none."""
+        self.points: NDArray[np.float64] = np.zeros((0, 3))
+        self._keys: NDArray[np.int64] = np.zeros(0, dtype=np.int64)
+
+    def add(self, points: NDArray[np.float64]) -> None:
+        """Add those of (M, 3) points in whose grains there is none yet, in their order."""
+        keys, first = np.unique(_grain_keys(points), return_index=True)
+        place = np.searchsorted(self._keys, keys)
+        is_known = np.append(self._keys, _NO_KEY)[place] == keys
+        self.points = np.concatenate([self.points, points[np.sort(first[~is_known])]])
+        self._keys = np.insert(self._keys, place[~is_known], keys[~is_known])
+
+
+def _grain_keys(points: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Return a number for the grain of each of (N, 3) points."""
     grains = np.floor(points / _GRAIN).astype(np.int64)
     low_bits = (1 << _BITS) - 1
-    keys = (grains[:, 0] << 2 * _BITS) + ((grains[:, 1] & low_bits) << _BITS) + (grains[:, 2] & low_bits)
-    _, first = np.unique(keys, return_index=True)
-    return points[np.sort(first)]
+    return (grains[:, 0] << 2 * _BITS) + ((grains[:, 1] & low_bits) << _BITS) + (grains[:, 2] & low_bits)

@@ -33,6 +33,11 @@ def object_beside_start_receptacle(bird_map: BirdsEyeMap, base: BasePose) -> Goa
     return Goal(GoalKind.OBJECT, cells, face=cells) if cells.any() else None
 
 
+def nothing_elsewhere(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
+    """Return None: an object counts where the start receptacle was seen, as in HomeRobot."""
+    return None
+
+
 def start_receptacle_not_been_close(bird_map: BirdsEyeMap, base: BasePose) -> Goal | None:
     """Return the start receptacles' cells that the robot has not been within 1 m of: HomeRobot's exploration."""
     cells = bird_map.class_cells(ClassRole.START_RECEPTACLE) & ~bird_map.been_close
@@ -198,7 +203,8 @@ class SearchConfig:
     Attributes:
         object: where the object is known.
         start_receptacle: where only start receptacles are known, while there is no object in the gripper.
-        start_receptacle_again: instead, once looks at them have shown nothing and were forgotten.
+        object_elsewhere: where neither is known, but an object that lies on something else.
+        start_receptacle_again: instead of `start_receptacle`, once looks at them have shown nothing and were forgotten.
         goal_receptacle: where goal receptacles are known, with the object in the gripper.
         approach: at which side of the goal receptacle to stand.
         frontier: where nothing of all this is known.
@@ -210,6 +216,7 @@ class SearchConfig:
 
     object: ChooseGoal = object_on_start_receptacle
     start_receptacle: ChooseGoal = start_receptacle_not_been_close
+    object_elsewhere: ChooseGoal = nothing_elsewhere
     start_receptacle_again: ChooseGoal = start_receptacle_not_been_close
     goal_receptacle: ChooseGoal = any_goal_receptacle
     approach: Approach = from_any_side
@@ -221,7 +228,7 @@ class SearchConfig:
 
     def for_object(self) -> tuple[ChooseGoal, ...]:
         """Return what to head for while there is no object in the gripper, in order of preference."""
-        return self.object, self.start_receptacle, self.frontier
+        return self.object, self.start_receptacle, self.object_elsewhere, self.frontier
 
     def for_another_look(self) -> "SearchConfig":
         """Return what to head for once looks at the start receptacles have shown nothing."""

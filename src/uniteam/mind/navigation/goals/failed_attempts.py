@@ -88,14 +88,11 @@ class Misses:
 
 def _before(bird_map: BirdsEyeMap, cells: Mask, distance: float) -> Mask:
     """Return the cells within a distance (m) of some cells, over receptacles, but not through a wall."""
-    rows, columns = np.nonzero(cells)
-    if len(rows) == 0:
+    x, y, width, height = cv2.boundingRect(cells.view(np.uint8))
+    if width == 0:
         return cells
     play = round(distance / bird_map.cell_size) + 2
-    box = (
-        slice(max(0, rows.min() - play), rows.max() + play + 1),
-        slice(max(0, columns.min() - play), columns.max() + play + 1),
-    )
+    box = slice(max(0, y - play), y + height + play), slice(max(0, x - play), x + width + play)
     receptacles = (bird_map.class_cells(role)[box] for role in (ClassRole.START_RECEPTACLE, ClassRole.GOAL_RECEPTACLE))
     own = cv2.dilate(np.logical_or.reduce((cells[box], *receptacles)).view(np.uint8), disc(1)).view(np.bool_)
     stands = np.zeros_like(cells)

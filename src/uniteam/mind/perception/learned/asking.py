@@ -13,7 +13,7 @@ from uniteam.mind.perception.words.meaning import Words, plain_words
 
 UNSEEN_ADVANTAGE = 3.0
 """Added to the logit of a name that the namer was not trained with: what it knows is always nearer."""
-DENSE_SHARE = 0.4
+DENSE_SHARE = 1.2
 """Of the segmenter's word on which receptacle a region is."""
 ROLES = {Kind.OBJECT: "object", Kind.RECEPTACLE: "receptacle"}
 

@@ -4,6 +4,8 @@ A segmenter says where things are, a namer what each of them is (see `docs/perce
 240x320; where the run's camera is finer, things are named from the finer frame.
 """
 
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,24 +13,24 @@ from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.learned.asking import Asked, Asking
 from uniteam.mind.perception.learned.eyes import Eyes, Glimpse
 from uniteam.mind.perception.learned.kinds import Kind
-from uniteam.mind.perception.learned.networks import check_runtime, read_card
+from uniteam.mind.perception.learned.networks import WEIGHTS, check_runtime, read_card
 from uniteam.mind.perception.words.meaning import load_words
 
-LOWEST_SCORE = 0.02
-"""What is less likely than this is not given out."""
+HIGHEST_SCORE = 0.99
+"""Nothing that networks say is certain."""
 
 
 class LearnedPerception:
     """Finds what the instruction names in colours and depth."""
 
-    def __init__(self) -> None:
-        """Load the networks and the words.
+    def __init__(self, weights: Path = WEIGHTS) -> None:
+        """Load the networks of a folder, those of the package by default, and the words.
 
         Raises:
             UnavailableError: ONNX Runtime is not installed.
             DamagedFileError: a file of the package cannot be read.
         """
-        self._eyes, self._asking = Eyes(), Asking(read_card(), load_words())
+        self._eyes, self._asking = Eyes(weights), Asking(read_card(weights), load_words())
         self._asked: tuple[Asked, ...] = ()
 
     @staticmethod
@@ -56,10 +58,13 @@ class LearnedPerception:
         return Segmentation(instances, detections)
 
     def _candidates(self, glimpse: Glimpse) -> tuple[tuple[str, float], ...]:
-        """Return the words that a glimpse may answer to with their scores, the likeliest first."""
-        scores = [(asked.word, self._asking.score(glimpse, asked)) for asked in self._asked]
-        likely = [(word, score) for word, score in scores if score >= LOWEST_SCORE]
-        return tuple(sorted(likely, key=lambda pair: -pair[1]))
+        """Return the words of a glimpse's kind with their scores, the likeliest first: low ones are evidence too."""
+        scores = [
+            (asked.word, min(self._asking.score(glimpse, asked), HIGHEST_SCORE))
+            for asked in self._asked
+            if asked.kind is glimpse.region.kind
+        ]
+        return tuple(sorted(scores, key=lambda pair: -pair[1]))
 
 
 def _at_size(mask: NDArray[np.bool_], shape: tuple[int, ...]) -> NDArray[np.bool_]:
