@@ -70,7 +70,7 @@ def test_elsewhere_it_costs_one_after_twenty_steps_and_ends_the_episode(room: Op
     assert let_go(room, referee, 3.5, 3.5, 0.02) == Verdict(SLACK)
     verdicts = wait(room, referee, 80)
     assert len(verdicts) == 20
-    assert all(verdict == Verdict(SLACK) for verdict in verdicts[:-1])
+    assert verdicts[:-1] == [Verdict(SLACK)] * 19
     assert (verdicts[-1].reward, verdicts[-1].is_over) == (pytest.approx(SLACK - 1.0), True)
     assert verdicts[-1].is_success is False
 
