@@ -1,9 +1,10 @@
 """`uniteam bench`: where a step's time goes."""
 
 import json
+import math
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import tyro
 from rich.console import Console
@@ -20,10 +21,17 @@ from uniteam.world.rendering.mujoco_reference import OpenGLMissingError
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split
 
+if TYPE_CHECKING:
+    from uniteam.adapters.gymnasium.throughput import Throughput
+
 SPLIT, AGENT, PERCEPTION = "minival", "uniteam-plus", "truth"
+ENVIRONMENT_STEPS = 1000
+"""With each environment: some seconds."""
 
 
-def bench(out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None, episodes: int = 10) -> None:
+def bench(
+    out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None, episodes: int = 10, env: bool = False
+) -> None:
     """Measure the steps a second of one process, and the milliseconds a step spends where.
 
     Plays episodes of minival with the agent uniteam, perception truth and the half-size camera, after everything is
@@ -32,22 +40,58 @@ def bench(out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None
     Args:
         out: A JSON file to write the figures to.
         episodes: How many episodes to play.
+        env: Measure the Gymnasium environments instead, with random actions and the small camera.
     """
     console = make_console()
+    if out is not None:
+        try_output(out)
+    report = _bench_environments(console) if env else _bench_agent(console, episodes)
+    if out is not None:
+        figures = {**report, "version": uniteam.__version__}
+        write_whole(out, (json.dumps(figures, indent=2) + "\n").encode())
+        console.print(f"Written to {shown(out)}.", soft_wrap=True)
+
+
+def _bench_agent(console: Console, episodes: int) -> dict[str, Any]:
+    """Play the episodes, print where the time goes, and return it as JSON data."""
     split = load_split(SPLIT)
     if not 1 <= episodes <= len(split.episodes):
         raise InvalidInputError(f"{SPLIT} has {len(split.episodes)} episodes; --episodes {episodes} is out of range")
-    if out is not None:
-        try_output(out)
     with Progress(console=console, transient=True) as progress:
         bar = progress.add_task("playing", total=episodes)
         report = measure(split, AgentSpec(AGENT, PERCEPTION), episodes, lambda: progress.advance(bar))
     console.print(_table(report))
-    camera = _compare(split, console)
-    if out is not None:
-        figures = {**asdict(report), **camera, "version": uniteam.__version__}
-        write_whole(out, (json.dumps(figures, indent=2) + "\n").encode())
-        console.print(f"Written to {shown(out)}.", soft_wrap=True)
+    return {**asdict(report), **_compare(split, console)}
+
+
+def _bench_environments(console: Console) -> dict[str, Any]:
+    """Step each environment, print how fast that went, and return it as JSON data."""
+    from uniteam.adapters.gymnasium import ENVIRONMENTS
+    from uniteam.adapters.gymnasium.throughput import measure_throughput
+
+    found = []
+    with Progress(console=console, transient=True) as progress:
+        bar = progress.add_task("stepping", total=len(ENVIRONMENTS))
+        for name in ENVIRONMENTS:
+            found.append(measure_throughput(name, ENVIRONMENT_STEPS))
+            progress.advance(bar)
+    console.print(_table_of_environments(found))
+    return {"environments": [asdict(throughput) for throughput in found]}
+
+
+def _table_of_environments(found: "list[Throughput]") -> Table:
+    caption = (
+        f"{ENVIRONMENT_STEPS} random steps each in the first home of {SPLIT} that seed 0 draws, 160 x 120 pixels, one "
+        f"process, uniteam {uniteam.__version__}; times are the processor's but where it says otherwise"
+    )
+    table = Table(caption=caption, caption_justify="left")
+    for head in ("environment", "steps/s", "by the wall clock", "reset", "first reset"):
+        table.add_column(head, justify="left" if head == "environment" else "right", no_wrap=head == "environment")
+    for t in found:
+        reset = "" if math.isnan(t.reset_milliseconds) else f"{t.reset_milliseconds:.0f} ms"
+        speeds = (f"[bold]{t.steps_per_cpu_second:.0f}[/]", f"{t.steps_per_second:.0f}")
+        table.add_row(t.name, *speeds, reset, f"{t.opening_seconds:.1f} s")
+    return table
 
 
 def _compare(split: Split, console: Console) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 """A home as the camera sees it: rooms, walls, doors, windows, instances that move and hide."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -8,12 +9,15 @@ from worlds.camera_scenes import CAMERA, FORWARD, NOWHERE, RED, looking, quad, t
 from worlds.filled import filled
 
 from uniteam.errors import InvalidInputError, UnknownNameError
-from uniteam.geometry import PinholeCamera, invert_transform, pose_matrix, transform_points, yaw_quaternion
+from uniteam.geometry import BasePose, PinholeCamera, invert_transform, pose_matrix, transform_points, yaw_quaternion
+from uniteam.interface import Joints
+from uniteam.stretch import head_camera_to_base
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.assets.mesh import Material
 from uniteam.world.homes.home import Instance, Wall
-from uniteam.world.rendering.camera import render
+from uniteam.world.rendering.camera import render, render_geometry
 from uniteam.world.rendering.kernels.culling import coarsen, is_hidden
+from uniteam.world.rendering.meshes.robot_mesh import part_poses, robot_parts
 from uniteam.world.rendering.meshes.stage_mesh import stage_parts
 from uniteam.world.rendering.scene import Scene
 
@@ -44,6 +48,18 @@ def test_every_instance_is_labelled_with_its_index(furnished: Scene) -> None:
         local = transform_points(invert_transform(instance.model_to_world()), points)
         assert (np.abs(local[:, :2]) <= np.array(size[:2]) / 2.0 + 0.01).all()
         assert (local[:, 2] <= size[2] + 0.01).all()
+
+
+def test_depth_and_instances_without_colours_are_the_same_to_the_bit(furnished: Scene) -> None:
+    for eye, target in (
+        ((0.3, 0.3, 1.3), (8.0, 3.0, 0.5)),
+        ((5.0, 0.5, 2.2), (6.4, 2.6, 0.3)),
+        ((4.0, 9.0, 1.0), (4.0, 30.0, 1.0)),
+    ):
+        pose = looking(eye, target)
+        frame, geometry = render(furnished, WIDE, pose), render_geometry(furnished, WIDE, pose)
+        np.testing.assert_array_equal(geometry.depth, frame.depth)
+        np.testing.assert_array_equal(geometry.instances, frame.instances)
 
 
 def test_the_order_in_which_parts_are_culled_changes_no_pixel(furnished: Scene) -> None:
@@ -223,3 +239,19 @@ def test_a_room_without_a_floor_texture_leaves_floor_ceiling_and_lamp_to_the_mes
         for stage in (home.stage, bare)
     )
     assert (both, one) == ([0, 1, 0, 0, 1, 1], [1, 1, 1])
+
+
+def test_a_part_whose_box_alone_is_in_the_picture_is_not_drawn_where_it_was_before() -> None:
+    usual, always_moved = Scene(two_rooms(), robot_parts()), Scene(two_rooms(), robot_parts())
+    base, near = BasePose(2.0, 2.0, 0.0), []
+    for lift, arm, pitch, tilt in product((0.3, 0.9), (0.0, 0.5), (-1.5, 0.0), (-0.2, -0.6, -1.0)):
+        joints = Joints(lift, arm, wrist_pitch=pitch, head_pan=-1.0, head_tilt=tilt)
+        for name, pose in part_poses(base, joints).items():
+            usual.move(name, pose)
+            always_moved.move(name, pose)
+        always_moved.buffers()
+        eye = base.matrix() @ head_camera_to_base(joints)
+        frame = render(usual, WIDE, eye)
+        np.testing.assert_array_equal(frame.depth, render(always_moved, WIDE, eye).depth)
+        near.append(np.count_nonzero(frame.depth < 1.0))
+    assert max(near) > 500  # the arm is in the picture

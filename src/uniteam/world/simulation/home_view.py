@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from uniteam.geometry import PinholeCamera
 from uniteam.stretch import head_camera_to_base
 from uniteam.world.homes.home import Home
-from uniteam.world.rendering.camera import render
-from uniteam.world.rendering.kernels.frame import Frame
+from uniteam.world.rendering.camera import render, render_geometry
+from uniteam.world.rendering.kernels.frame import Frame, Geometry
 from uniteam.world.rendering.meshes.robot_mesh import part_poses, robot_parts
 from uniteam.world.rendering.scene import Scene
 from uniteam.world.rendering.third_person import Watcher
@@ -45,7 +45,7 @@ class HomeView:
         self._objects = objects
         self._scene = Scene(home, robot_parts())
         self._watcher = Watcher(home.stage)
-        self._overhead = ("ceiling", *_hanging(home))
+        self._overhead = tuple(name for name in ("ceiling", *_hanging(home)) if name in self._scene.names)
         self._seen_poses: dict[str, NDArray[np.float64]] = {}
         self._seen_version = -1
 
@@ -53,6 +53,13 @@ class HomeView:
         """Return what the head camera sees; `hanging` has the poses (world) of objects that the gripper holds."""
         self._update(state, hanging)
         return render(self._scene, camera, state.base.matrix() @ head_camera_to_base(state.joints))
+
+    def head_geometry(
+        self, state: RobotState, camera: PinholeCamera, hanging: dict[str, NDArray[np.float64]]
+    ) -> Geometry:
+        """Return what the head camera sees but for its colours, as `head` has it."""
+        self._update(state, hanging)
+        return render_geometry(self._scene, camera, state.base.matrix() @ head_camera_to_base(state.joints))
 
     def from_above(
         self, state: RobotState, size: tuple[int, int], hanging: dict[str, NDArray[np.float64]]

@@ -24,7 +24,7 @@ from uniteam.timing import section
 from uniteam.world.homes.home import Home
 from uniteam.world.physics.navigable_floor import NavigableFloor
 from uniteam.world.physics.physics import Physics, PhysicsState
-from uniteam.world.rendering.kernels.frame import Frame
+from uniteam.world.rendering.kernels.frame import Frame, Geometry
 from uniteam.world.simulation.arm_collision import ArmCollider
 from uniteam.world.simulation.floor_watch import FloorWatch
 from uniteam.world.simulation.graspable import GraspRule
@@ -87,6 +87,7 @@ class Simulator:
         self._state = RobotState(base, NAVIGATION_POSTURE)
         self._gripper.held = None
         self._frame: Frame | None = None
+        self._geometry: Geometry | None = None
 
     def moment(self) -> Moment:
         """Return everything that decides how the home goes on, for `return_to`."""
@@ -97,7 +98,7 @@ class Simulator:
         self.physics.restore(moment.physics)
         self._state = RobotState(base, moment.state.joints)
         self._gripper.held = moment.held
-        self._frame = None
+        self._forget_view()
 
     @property
     def floor(self) -> NavigableFloor:
@@ -140,6 +141,16 @@ class Simulator:
                 self._frame = self._view.head(self._state, self.camera, self._gripper.hanging(self._state))
         return self._frame
 
+    def render_geometry(self) -> Geometry:
+        """Return what the head camera sees now but for its colours, in less time."""
+        if self._frame is not None:
+            return self._frame.geometry
+        if self._geometry is None:
+            with section("camera"):
+                hanging = self._gripper.hanging(self._state)
+                self._geometry = self._view.head_geometry(self._state, self.camera, hanging)
+        return self._geometry
+
     def render_third_person(self, width: int = 640, height: int = 480) -> NDArray[np.uint8]:
         """Return the (H, W, 3) picture of the robot from above, without the ceiling."""
         return self._view.from_above(self._state, (width, height), self._gripper.hanging(self._state))
@@ -158,7 +169,7 @@ class Simulator:
                 events = events.then(self._touch())
             self.physics.advance(STEP_SECONDS)
             self._watch.update()
-        self._frame = None
+        self._forget_view()
         return events
 
     def creep(self, displacement: BaseDisplacement, joints: Joints) -> StepEvents:
@@ -168,7 +179,7 @@ class Simulator:
         if joints != self.joints:
             events = events.then(self._pose(joints))
         if self._state != before:
-            self._frame = None
+            self._forget_view()
         return events
 
     def wait(self, seconds: float) -> None:
@@ -178,17 +189,20 @@ class Simulator:
             self.physics.advance(seconds)
             self._watch.update()
         if self.physics.version != version:
-            self._frame = None
+            self._forget_view()
 
     def grip(self, closed: bool, rule: GraspRule) -> StepEvents:
         """Close the gripper on what a rule names, or open it, while no time passes."""
         events = self._do(DiscreteAction.SNAP_OBJECT if closed else DiscreteAction.DESNAP_OBJECT, rule)
-        self._frame = None
+        self._forget_view()
         return events
+
+    def _forget_view(self) -> None:
+        self._frame = self._geometry = None
 
     def _do(self, action: Action, rule: GraspRule) -> StepEvents:
         if action is DiscreteAction.SNAP_OBJECT:
-            return StepEvents(grasped=self._gripper.snap(rule, self.render().instances, self._state))
+            return StepEvents(grasped=self._gripper.snap(rule, self.render_geometry().instances, self._state))
         if isinstance(action, DiscreteAction):
             return _DISCRETE[action](self)
         if isinstance(action, BaseDisplacement):
