@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from uniteam.geometry import PinholeCamera
 from uniteam.visualization.shape_mesh import shapes_and_surfaces
 from uniteam.world.assets.catalogue import Catalogue
-from uniteam.world.assets.mesh import Mesh, load_mesh
+from uniteam.world.assets.mesh import Mesh, load_model_mesh
 from uniteam.world.assets.model import Model
 from uniteam.world.homes.home import Home, Stage
 from uniteam.world.rendering.camera import render
@@ -53,7 +53,7 @@ def picture(model: Model, parts: dict[str, Mesh], side: int) -> Image:
 
 def _parts(model: Model, shapes: bool) -> dict[str, Mesh]:
     """Return what a picture shows: a model without shapes shows its looks in any case."""
-    return shapes_and_surfaces(model) if shapes and model.shapes else {"model": load_mesh(model.path)}
+    return shapes_and_surfaces(model) if shapes and model.shapes else {"model": load_model_mesh(model)}
 
 
 def _scaled(mesh: Mesh, scale: float, middle: float) -> Mesh:

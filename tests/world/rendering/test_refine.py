@@ -50,7 +50,7 @@ def test_a_stages_mesh_is_lit_by_the_rooms_it_faces_and_hidden_with_the_ceiling(
     wall, lid = box((3.97, 0.0, 0.0), (4.03, 4.0, 2.5)), box((0.0, 0.0, 2.48), (8.0, 4.0, 2.52))
     write_glb(tmp_path / "stage.glb", wall, lid)
     parts = list(fixed_parts(load_mesh(tmp_path / "stage.glb"), 2.5, beside_the_wall))
-    sides = {(name, room): mesh.vertices for name, mesh, room in parts}
+    sides = {(name, room): mesh.vertices for name, mesh, room, _ in parts}
     assert sides["stage", 0][:, 0].max() == pytest.approx(3.97)
     assert sides["stage", 1][:, 0].min() == pytest.approx(4.03)
     assert min(vertices[:, 2].min() for (name, _), vertices in sides.items() if name == "ceiling") > 2.45

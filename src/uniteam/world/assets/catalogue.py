@@ -73,6 +73,8 @@ class Catalogue:
         for model in sorted(self.models.values(), key=lambda m: m.id):
             facts = (model.id, model.role, model.category, model.name, model.size, model.mass, model.pool)
             content.update(repr((facts, model.shapes, model.surfaces)).encode())
+            if model.file_to_model is not None:
+                content.update(repr(model.file_to_model).encode())
         for name, texture in sorted(self.textures.items()):
             content.update(repr((name, texture.kinds, texture.size)).encode())
         for path in self._files():

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-READABLE_EXTENSIONS = frozenset({"KHR_mesh_quantization", "KHR_materials_unlit"})
+READABLE_EXTENSIONS = frozenset({"KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_basisu"})
 MOST_ELEMENTS = 3_000_000
 """No accessor of more elements is read."""
 MOST_PARTS = 10_000
@@ -91,16 +91,36 @@ class Surface(msgspec.Struct, rename="camel", frozen=True):
     base_color_texture: TextureReference | None = None
 
 
+class MaterialExtensions(msgspec.Struct, rename={"unlit": "KHR_materials_unlit"}, frozen=True):
+    """What is said of a material beyond the core of the format; `unlit` holds nothing."""
+
+    unlit: msgspec.Raw | None = None
+
+
 class MaterialEntry(msgspec.Struct, rename="camel"):
     """A material."""
 
     pbr_metallic_roughness: Surface = Surface()
+    extensions: MaterialExtensions = MaterialExtensions()
+
+
+class BasisuSource(msgspec.Struct, frozen=True):
+    """Which image, in KTX2."""
+
+    source: Index
+
+
+class TextureExtensions(msgspec.Struct, rename={"basisu": "KHR_texture_basisu"}, frozen=True):
+    """What is said of a texture beyond the core of the format."""
+
+    basisu: BasisuSource | None = None
 
 
 class TextureEntry(msgspec.Struct):
     """Which image a texture shows."""
 
     source: Index | None = None
+    extensions: TextureExtensions = TextureExtensions()
 
 
 class Image(msgspec.Struct, rename="camel"):

@@ -1,10 +1,12 @@
-"""Pictures within files: JPEG and PNG, whose size is known before they are unpacked."""
+"""Pictures within files: JPEG, PNG and KTX2, whose size is known before they are unpacked."""
 
 import struct
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+
+from uniteam.world.assets import ktx2
 
 MOST_PIXELS = 4096 * 4096
 """A picture of more pixels is not unpacked: a small file can hold a very large one."""
@@ -16,10 +18,17 @@ _JPEG_SIZES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
 
 
 def decode_image(content: bytes) -> NDArray[np.uint8]:
-    """Return a picture as (H, W, 3) RGB; raises ValueError where it is none, is damaged or is too large."""
+    """Return a picture as (H, W, 3) RGB.
+
+    Raises:
+        ValueError: it is none, is damaged or is too large.
+        UnavailableError: it is in KTX2, for which an extra has to be installed.
+    """
     width, height = _size(content)
     if not 0 < width * height <= MOST_PIXELS:
         raise ValueError(f"a picture of {width} x {height} pixels, where at most {MOST_PIXELS} in all are read")
+    if content.startswith(ktx2.MAGIC):
+        return ktx2.decode_ktx2(content)
     flags = cv2.IMREAD_COLOR | cv2.IMREAD_IGNORE_ORIENTATION
     try:
         decoded = cv2.imdecode(np.frombuffer(content, np.uint8), flags)
@@ -36,7 +45,9 @@ def _size(content: bytes) -> tuple[int, int]:
         return struct.unpack_from(">II", content, 16)
     if content.startswith(_JPEG):
         return _jpeg_size(content)
-    raise ValueError("a picture that is neither JPEG nor PNG")
+    if content.startswith(ktx2.MAGIC) and len(content) >= 28:
+        return ktx2.size_of(content)
+    raise ValueError("a picture that is neither JPEG nor PNG nor KTX2")
 
 
 def _jpeg_size(content: bytes) -> tuple[int, int]:

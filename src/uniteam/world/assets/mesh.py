@@ -1,43 +1,35 @@
 """Triangle meshes, read from glTF 2.0 binaries (https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html).
 
-Read are the triangles of the scene's nodes with positions, normals, texture coordinates, base colours, and JPEG or PNG
-textures within the file; skins, morphing, animations and transparency are left out. glTF has y up and a model's front
+Read are the triangles of the scene's nodes with positions, normals, texture coordinates, base colours, and JPEG, PNG or
+KTX2 textures within the file; skins, morphing, animations and transparency are left out. glTF has y up and a model's front
 to +z; what is returned has z up and its front to -y.
 """
 
 import struct
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import quaternion_to_matrix
-from uniteam.world.assets.gltf import GltfBinary, MaterialEntry, MeshPart, Node, Primitive, read_gltf
-from uniteam.world.assets.image import MOST_PIXELS, decode_image
+from uniteam.world.assets.gltf import GltfBinary, MeshPart, Node, Primitive, read_gltf
+from uniteam.world.assets.material import Color, Material, materials_of, plain_materials
+from uniteam.world.assets.model import Model
 from uniteam.world.assets.reading import damaged, read_bytes
 
-Color = tuple[float, float, float]
 Matrix = NDArray[np.float64]
 
 MOST_TRIANGLES = 1_000_000
 FARTHEST = 1_000.0
 """No vertex lies farther than this from the origin along an axis (m)."""
 
-_MOST_TEXELS = 4 * 3 * MOST_PIXELS
 _TRIANGLES = 4
 _LINES = frozenset(range(4))
 _Z_UP = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
-
-
-@dataclass(frozen=True)
-class Material:
-    """A surface: its colour (sRGB, [0, 1]) multiplies the texture ((H, W, 3) uint8 sRGB) where there is one."""
-
-    color: Color
-    texture: NDArray[np.uint8] | None = None
 
 
 @dataclass(frozen=True)
@@ -77,15 +69,37 @@ def load_mesh(path: Path) -> Mesh:
 
     Raises:
         DamagedFileError: the file is missing, is damaged, holds no triangle, or needs what is not read here.
+        UnavailableError: its textures are of a kind for which an extra has to be installed.
     """
+    return _load(path, materials_of)
+
+
+def load_geometry(path: Path) -> Mesh:
+    """Read the mesh of a glTF binary without its looks: every material is plain. Raises DamagedFileError."""
+    return _load(path, plain_materials)
+
+
+def load_model_mesh(model: Model) -> Mesh:
+    """Read the mesh of a model in the model's frame; raises what `load_mesh` does."""
+    mesh = load_mesh(model.path)
+    return mesh if model.file_to_model is None else moved(mesh, np.array(model.file_to_model))
+
+
+def moved(mesh: Mesh, to_other: Matrix) -> Mesh:
+    """Return a mesh in another frame, by an affine (4, 4); one that mirrors turns the triangles around."""
+    vertices, normals, triangles = _transformed(mesh.vertices, mesh.normals, mesh.triangles, to_other)
+    return replace(mesh, vertices=vertices, normals=normals, triangles=triangles.astype(np.int32))
+
+
+def _load(path: Path, look: Callable[[GltfBinary, int], tuple[Material, ...]]) -> Mesh:
     content = read_bytes(path, "the model")
     try:
-        return _mesh(read_gltf(content))
+        return _mesh(read_gltf(content), look)
     except (ValueError, IndexError, struct.error, msgspec.MsgspecError, RecursionError) as error:
         raise damaged(path, "the model", str(error)) from error
 
 
-def _mesh(gltf: GltfBinary) -> Mesh:
+def _mesh(gltf: GltfBinary, look: Callable[[GltfBinary, int], tuple[Material, ...]]) -> Mesh:
     pieces = _pieces(gltf)
     starts = np.cumsum([0, *(len(piece.vertices) for piece in pieces)])
     return Mesh(
@@ -94,7 +108,7 @@ def _mesh(gltf: GltfBinary) -> Mesh:
         np.ascontiguousarray(np.concatenate([piece.uvs for piece in pieces])),
         np.concatenate([p.triangles + start for p, start in zip(pieces, starts, strict=False)]).astype(np.int32),
         np.concatenate([np.full(len(piece.triangles), piece.material, np.int32) for piece in pieces]),
-        _materials(gltf, max(piece.material for piece in pieces)),
+        look(gltf, max(piece.material for piece in pieces)),
     )
 
 
@@ -203,8 +217,8 @@ def _unit(normals: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def _transformed(
-    vertices: NDArray[np.float32], normals: NDArray[np.float32], triangles: NDArray[np.int64], to_mesh: Matrix
-) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.int64]]:
+    vertices: NDArray[np.float32], normals: NDArray[np.float32], triangles: NDArray[Any], to_mesh: Matrix
+) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[Any]]:
     """Return vertices, normals and triangles in the mesh's frame; a mirrored node's triangles turn around."""
     linear = to_mesh[:3, :3]
     size = float(np.linalg.det(linear))
@@ -214,35 +228,3 @@ def _transformed(
     turned = normals.astype(np.float64) @ np.linalg.inv(linear)
     around = triangles if size > 0 else triangles[:, ::-1]
     return moved.astype(np.float32), _unit(turned.astype(np.float32)), around
-
-
-def _srgb(linear: float) -> float:
-    linear = min(max(linear, 0.0), 1.0)
-    return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
-
-
-def _materials(gltf: GltfBinary, last: int) -> tuple[Material, ...]:
-    """Return the document's materials, and a plain one after them where `last`, the last in use, asks for it."""
-    entries = gltf.document.materials
-    if last > len(entries):
-        raise ValueError("a primitive is of a material that does not exist")
-    plain = [MaterialEntry()] if last == len(entries) else []
-    pictures: dict[int, NDArray[np.uint8]] = {}
-    return tuple(_material(gltf, entry, pictures) for entry in (*entries, *plain))
-
-
-def _material(gltf: GltfBinary, entry: MaterialEntry, pictures: dict[int, NDArray[np.uint8]]) -> Material:
-    """Return a material; its picture is unpacked where it is not among those of the others, by their views."""
-    surface = entry.pbr_metallic_roughness
-    r, g, b = (_srgb(v) for v in surface.base_color_factor[:3])
-    if surface.base_color_texture is None:
-        return Material((r, g, b))
-    source = gltf.document.textures[surface.base_color_texture.index].source
-    view = None if source is None else gltf.document.images[source].buffer_view
-    if view is None:
-        raise ValueError("a texture lies outside of the file, or is in a format that is not read")
-    if view not in pictures:
-        pictures[view] = decode_image(bytes(gltf.view(view)))
-    if sum(picture.size for picture in pictures.values()) > _MOST_TEXELS:
-        raise ValueError("its textures together would fill the memory; make them smaller")
-    return Material((r, g, b), pictures[view])

@@ -16,6 +16,9 @@ RECEPTACLE_CATEGORIES = (
     "washer_dryer",
 )  # fmt: skip
 
+Affine = tuple[tuple[float, float, float, float], ...]
+"""The four rows of a (4, 4) transform that may stretch and mirror."""
+
 Role = Literal["receptacle", "object", "decor", "door"]
 Pool = Literal["train", "test"]
 
@@ -70,6 +73,7 @@ class Model:
         source, source_id, creator, licence: where it is from and who made it.
         checksum: SHA-256 of its file; empty where nobody wrote one down.
         path: its glTF binary.
+        file_to_model: from the file's frame, once it has z up, to the model's; None where they are the same.
     """
 
     id: str
@@ -87,3 +91,4 @@ class Model:
     licence: str
     checksum: str
     path: Path
+    file_to_model: Affine | None = None

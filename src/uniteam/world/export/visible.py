@@ -7,7 +7,7 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.world.assets.mesh import Material, Mesh, load_mesh
+from uniteam.world.assets.mesh import Material, Mesh, load_model_mesh
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.rendering.meshes.stage_mesh import StagePart, stage_parts
 
@@ -36,7 +36,7 @@ def visible(home: Home) -> Visible:
     """
     parts = sorted((p for p in stage_parts(home.stage, home.library) if p.name != "ceiling"), key=lambda p: p.name)
     stage = {name: _joined(of_name) for name, of_name in groupby(parts, key=lambda part: part.name)}
-    models = {name: load_mesh(home.library[name].path) for name in sorted({i.model for i in home.instances})}
+    models = {name: load_model_mesh(home.library[name]) for name in sorted({i.model for i in home.instances})}
     return Visible(stage, models, home.instances)
 
 

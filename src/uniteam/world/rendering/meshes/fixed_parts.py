@@ -1,6 +1,7 @@
-"""The mesh of a stage as parts that are lit each by its room, and hidden with the ceiling where they are as high."""
+"""The mesh of a stage as parts that are lit each by its room or by themselves, and hidden with the ceiling where they are as high."""
 
 from collections.abc import Callable, Iterator
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +18,8 @@ _OUTWARDS = 0.05
 
 def fixed_parts(
     mesh: Mesh, ceiling_height: float, room_at: Callable[[float, float], int | None]
-) -> Iterator[tuple[str, Mesh, int | None]]:
-    """Yield parts of a stage's mesh: "stage" or "ceiling", the triangles, and the room that lights them, if one does.
+) -> Iterator[tuple[str, Mesh, int | None, bool]]:
+    """Yield parts of a stage's mesh: "stage" or "ceiling", triangles, the room that lights them, and whether they glow.
 
     Args:
         mesh: world frame.
@@ -32,9 +33,12 @@ def fixed_parts(
     before = corners.mean(axis=1) + np.float32(_OUTWARDS) * outwards
     found = [room_at(float(x), float(y)) for x, y in before[:, :2]]
     rooms = np.array([-1 if room is None else room for room in found])
+    glowing = np.array([not material.is_lit for material in mesh.materials])[mesh.triangle_materials]
     for name, of_name in (("stage", ~is_ceiling), ("ceiling", is_ceiling)):
-        for room in np.unique(rooms[of_name]):
-            yield name, _chosen(mesh, of_name & (rooms == room)), None if room < 0 else int(room)
+        for room, glows in product(np.unique(rooms), (False, True)):
+            chosen = of_name & (rooms == room) & (glowing == glows)
+            if chosen.any():
+                yield name, _chosen(mesh, chosen), None if room < 0 else int(room), glows
 
 
 def _chosen(mesh: Mesh, triangles: NDArray[np.bool_]) -> Mesh:

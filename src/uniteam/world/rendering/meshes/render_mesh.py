@@ -3,13 +3,11 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import Point3
-from uniteam.world.assets.mesh import Mesh, load_mesh
+from uniteam.world.assets.mesh import Mesh, load_model_mesh
 from uniteam.world.assets.model import Model
 from uniteam.world.assets.reading import damaged, modified
 from uniteam.world.rendering.kernels.texture_atlas import WHITE, MipChain, build_mip_chain
@@ -74,18 +72,18 @@ def load_render_mesh(model: Model) -> RenderMesh:
     Raises:
         DamagedFileError: the file is not a mesh, or not of the size that the library says.
     """
-    return _load(model.path, model.size, modified(model.path))
+    return _load(model, modified(model.path))
 
 
 @lru_cache(maxsize=512)
-def _load(path: Path, size: Point3, *_: object) -> RenderMesh:
-    mesh = make_render_mesh(load_mesh(path))
+def _load(model: Model, *_: object) -> RenderMesh:
+    mesh, size = make_render_mesh(load_model_mesh(model)), model.size
     low, high = np.array([-size[0] / 2, -size[1] / 2, 0.0]), np.array([size[0] / 2, size[1] / 2, size[2]])
     if max(np.abs(mesh.low - low).max(), np.abs(mesh.high - high).max()) > _LARGEST_MISFIT:
         found = " x ".join(f"{length:.3g}" for length in mesh.high - mesh.low)
         said = " x ".join(f"{length:.3g}" for length in size)
         reason = f"its bounding box is {found} m and must be {said} m, its floor's centre at the origin"
-        raise damaged(path, "the model", reason)
+        raise damaged(model.path, "the model", reason)
     return mesh
 
 
