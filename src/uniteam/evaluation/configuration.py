@@ -12,13 +12,12 @@ from pathlib import Path
 from typing import Any
 
 import uniteam
-from uniteam.errors import UnknownNameError
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.episode_choice import Shard, choose_episodes, deal
 from uniteam.world.assets.catalogue import load_catalogue
 from uniteam.world.homes.serialization import home_digest
 from uniteam.world.task.episode import Split
-from uniteam.world.task.splits import SPLIT_DIRECTORY, SPLIT_NAMES, SUFFIX
+from uniteam.world.task.splits import split_files
 
 PACKAGES = ("numpy", "numba", "llvmlite", "mujoco", "cv2")
 """Modules of others whose version can change a figure in its last bits, and so an episode."""
@@ -71,7 +70,7 @@ def resolve(run: Run, split: Split) -> dict[str, Any]:
         "code": source_digest(),
         "split": split.name,
         "split_version": split.version,
-        "split_digest": _digest([_split_path(run.split)]),
+        "split_digest": _digest(split_files(run.split)),
         "homes_digest": _text_digest("".join(home_digest(split.homes[name]) for name in split.homes)),
         "models_digest": load_catalogue().digest[:DIGITS],
         "software": software(),
@@ -127,13 +126,6 @@ def source_digest() -> str:
     mind = (path for path in (root / "mind").rglob("*") if path.suffix in _READ_BY_THE_MIND)
     folders = chain((root / "world").rglob("*.py"), mind, (root / "evaluation").glob("*.py"))
     return _digest(chain(root.glob("*.py"), folders))
-
-
-def _split_path(split: str) -> Path:
-    path = SPLIT_DIRECTORY / f"{split}{SUFFIX}" if split in SPLIT_NAMES else Path(split)
-    if not path.is_file():
-        raise UnknownNameError("split or episode file", split, SPLIT_NAMES)
-    return path
 
 
 def _digest(paths: Iterable[Path]) -> str:

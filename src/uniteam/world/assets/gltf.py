@@ -94,7 +94,7 @@ class Surface(msgspec.Struct, rename="camel", frozen=True):
 class MaterialExtensions(msgspec.Struct, rename={"unlit": "KHR_materials_unlit"}, frozen=True):
     """What is said of a material beyond the core of the format; `unlit` holds nothing."""
 
-    unlit: msgspec.Raw | None = None
+    unlit: dict[str, Any] | None = None
 
 
 class MaterialEntry(msgspec.Struct, rename="camel"):

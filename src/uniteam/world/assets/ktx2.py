@@ -35,7 +35,7 @@ def decode_ktx2(content: bytes) -> NDArray[np.uint8]:
         ) from error
     texture = opengl_basisu.open(content)
     level = next((k for k in range(texture.levels) if _side(texture, k) <= LARGEST_SIDE), texture.levels - 1)
-    pixels = np.asarray(texture.transcode("RGBA8", level=level).data)
+    pixels = np.asarray(texture.transcode("rgba8", level=level).data)
     return np.ascontiguousarray(pixels[..., :3], dtype=np.uint8)
 
 

@@ -1,8 +1,8 @@
 """Triangle meshes, read from glTF 2.0 binaries (https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html).
 
-Read are the triangles of the scene's nodes with positions, normals, texture coordinates, base colours, and JPEG, PNG or
-KTX2 textures within the file; skins, morphing, animations and transparency are left out. glTF has y up and a model's front
-to +z; what is returned has z up and its front to -y.
+Read are the triangles of the scene's nodes with positions, normals, texture coordinates, base colours, and JPEG, PNG
+or KTX2 textures within the file; skins, morphing, animations and transparency are left out. glTF has y up and a model's
+front to +z; what is returned has z up and its front to -y.
 """
 
 import struct
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from uniteam.geometry import quaternion_to_matrix
 from uniteam.world.assets.gltf import GltfBinary, MeshPart, Node, Primitive, read_gltf
-from uniteam.world.assets.material import Color, Material, materials_of, plain_materials
+from uniteam.world.assets.material import Material, materials_of, plain_materials
 from uniteam.world.assets.model import Model
 from uniteam.world.assets.reading import damaged, read_bytes
 

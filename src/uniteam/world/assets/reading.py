@@ -15,6 +15,8 @@ MOST_BYTES = 64 * 1024 * 1024
 MOST_JSON = 16 * 1024 * 1024
 """No larger file is read, no larger one of JSON: once read, it takes many times its size."""
 
+_POINTER = b"version https://git-lfs.github.com/spec/"
+
 Schema = TypeVar("Schema")
 """The type whose fields say what a file must hold."""
 
@@ -39,6 +41,8 @@ def read_bytes(path: Path, what: str, most: int = MOST_BYTES) -> bytes:
         raise damaged(path, what, _reason(error)) from error
     if len(content) > most:
         raise damaged(path, what, f"it has more than {most} bytes")
+    if content.startswith(_POINTER):
+        raise damaged(path, what, "it is a pointer of Git LFS, whose file was not fetched; 'git lfs pull' does")
     return content
 
 

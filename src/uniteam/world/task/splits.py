@@ -25,6 +25,7 @@ from uniteam.world.task.check_episode import episode_problems
 from uniteam.world.task.encode_split import encode_split
 from uniteam.world.task.episode import Candidate, Certificate, Episode, Split
 from uniteam.world.task.lattice import runs_to_points
+from uniteam.world.task.ovmm.ovmm_name import parse_ovmm_name
 from uniteam.world.task.split_schema import (
     MOST_BYTES,
     MOST_VIEW_POINTS,
@@ -46,12 +47,15 @@ Value = TypeVar("Value")
 
 
 def load_split(name_or_path: str | Path) -> Split:
-    """Read a built-in split by its name, or a split's file by its path.
+    """Read a built-in split by its name, a split's file by its path, or the challenge's files by "ovmm:" and a folder.
 
     Raises:
         UnknownNameError: neither a built-in split nor a file.
         DamagedFileError: the file is not a split, or something in it makes no sense; the sentence says where.
     """
+    official = parse_ovmm_name(str(name_or_path))
+    if official is not None:
+        return official.load()
     path = _path_of(str(name_or_path))
     return decode_split(_read(path), path)
 
@@ -81,6 +85,12 @@ def decode_split(content: bytes, path: Path) -> Split:
         raise _damaged(path, "it holds no episode")
     name = path.name.removesuffix(".gz").removesuffix(".jsonl")
     return Split(name, episodes, contents.homes, contents.version)
+
+
+def split_files(name_or_path: str | Path) -> tuple[Path, ...]:
+    """Return the files in which the episodes of a split stand; raises UnknownNameError."""
+    official = parse_ovmm_name(str(name_or_path))
+    return (_path_of(str(name_or_path)),) if official is None else official.files()
 
 
 class _Contents:
@@ -166,7 +176,8 @@ def _path_of(name_or_path: str) -> Path:
     except (OSError, ValueError):
         is_file = False
     if not is_file:
-        raise UnknownNameError("split or episode file", name_or_path, SPLIT_NAMES)
+        hint = "a file of episodes, or ovmm:DIR for the challenge's own"
+        raise UnknownNameError("split or episode file", name_or_path, SPLIT_NAMES, hint)
     return path
 
 

@@ -1,4 +1,4 @@
-"""The mesh of a stage as parts that are lit each by its room or by themselves, and hidden with the ceiling where they are as high."""
+"""The mesh of a stage as parts that are lit by their rooms or by themselves, hidden with the ceiling where so high."""
 
 from collections.abc import Callable, Iterator
 from itertools import product

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.world.assets.catalogue import Catalogue
-from uniteam.world.assets.mesh import Color, Material, Mesh
+from uniteam.world.assets.material import Color, Material
+from uniteam.world.assets.mesh import Mesh
 from uniteam.world.assets.reading import modified
 from uniteam.world.assets.textures import Texture, load_texture
 from uniteam.world.homes.fixed_mesh import stage_mesh

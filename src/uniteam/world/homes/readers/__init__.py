@@ -1,0 +1,1 @@
+"""Homes from the files of other scene data sets."""

@@ -1,0 +1,1 @@
+"""The challenge's own episodes as a split: HomeRobot's OVMM files."""
