@@ -1,7 +1,7 @@
 """Write a miniature of the challenge's data, in its own layout, to try the readers with: two homes, four episodes.
 
-    pip install '.[test]' && python tools/make_ovmm_miniature.py /tmp/miniature
-    uniteam data check /tmp/miniature/data/datasets/ovmm/minival
+pip install '.[test]' && python tools/make_ovmm_miniature.py /tmp/miniature
+uniteam data check /tmp/miniature/data/datasets/ovmm/minival
 """
 
 import sys

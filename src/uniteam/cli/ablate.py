@@ -66,7 +66,8 @@ def ablate(
     improvement; the same command goes on. The run's folder is one as 'uniteam evaluate' writes it.
 
     Args:
-        split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
+        split: A built-in split (minival, val, test-standard, test-challenge, train), a file of episodes, or
+            ovmm:FOLDER for a folder of the challenge's own.
         perception: What the agents see with, as for evaluate.
         episodes: How many episodes, taken from the homes in turn; all by default.
         groups: What to ask: all at once (whole); each of the report's alone on baseline, taken from uniteam (removed),

@@ -25,7 +25,7 @@ from uniteam.mind.perception.noise.noisy import noisy_of
 from uniteam.visualization.captions import MILESTONES
 from uniteam.visualization.picture_file import write_png
 from uniteam.visualization.success_chart import Curve, draw_success_chart
-from uniteam.world.task.splits import load_split
+from uniteam.world.task.splits import load_split, split_label
 
 Measure = Literal[
     "find_object_phase_success",
@@ -67,7 +67,8 @@ def dial(
 
     Args:
         agents: Which agents: names, or your own as MODULE:ATTRIBUTE.
-        split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
+        split: A built-in split (minival, val, test-standard, test-challenge, train), a file of episodes, or
+            ovmm:FOLDER for a folder of the challenge's own.
         levels: Levels of noise, from 0 to 1.
         episodes: How many episodes, taken from the homes in turn; all by default.
         workers: How many processes; by default as many as there are cores and memory for.
@@ -90,7 +91,7 @@ def dial(
             for spec in label_agents(agents, perception).values():
                 spec.describe()  # raises for an unknown name, before anything is played
         load_split(split)
-    directory = out or Path("runs") / f"dial-{Path(split).name.split('.')[0]}-{camera}-{grasp}"
+    directory = out or Path("runs") / f"dial-{split_label(split)}-{camera}-{grasp}"
     try_output(directory / FIGURE)
     points, lost, count = list[Point](), list[str](), 0
     for number, (perception, level) in enumerate(perceptions.items(), start=1):

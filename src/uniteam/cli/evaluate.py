@@ -21,6 +21,7 @@ from uniteam.evaluation.episode_choice import shard_named
 from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.recording.order import RecordingOrder, recording_path
 from uniteam.evaluation.results.summary import summarize
+from uniteam.world.task.splits import split_label
 
 LONGEST_EPISODE = 86_400.0 * 7
 """s."""
@@ -55,7 +56,8 @@ def evaluate(
 
     Args:
         agents: Which agents: names, or your own as MODULE:ATTRIBUTE.
-        split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
+        split: A built-in split (minival, val, test-standard, test-challenge, train), a file of episodes, or
+            ovmm:FOLDER for a folder of the challenge's own.
         perception: What the agents see with: a name, NAME:ARGUMENT for one that takes an argument, or your own as
             MODULE:ATTRIBUTE.
         model: The weights of a detector: ORG/NAME on the Hugging Face hub, or a folder.
@@ -104,7 +106,7 @@ def evaluate(
 
 def default_directory(run: Run) -> Path:
     """Return the directory of a run that names none."""
-    words = (Path(run.split).name.split(".")[0], as_folder(run.perception), run.camera, run.grasp)
+    words = (split_label(run.split), as_folder(run.perception), run.camera, run.grasp)
     part = () if run.shard is None else (f"shard-{run.shard.number}-of-{run.shard.count}",)
     return Path("runs") / "-".join((*words, *part))
 

@@ -86,6 +86,10 @@ COMMANDS = {
     "episodes": Command(
         "generate certified episodes of your own", "uniteam episodes --homes 9000:9010 --per-home 5 --out mine.jsonl.gz"
     ),
+    "data": Command(
+        "say what of the challenge's own data is in a folder, and whether it can be played",
+        "uniteam data check data/datasets/ovmm/val",
+    ),
     "perception": Command(
         "measure what perception `learned` finds and names in a split's homes",
         "uniteam perception --split val --homes 40 --out perception.md",

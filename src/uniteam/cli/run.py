@@ -50,7 +50,8 @@ def run(
 
     Args:
         agent: Which agent: a name, or your own as MODULE:ATTRIBUTE.
-        split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
+        split: A built-in split (minival, val, test-standard, test-challenge, train), a file of episodes, or
+            ovmm:FOLDER for a folder of the challenge's own.
         episode: Which episode of the split, counted from 0.
         video: An .mp4 file to film it into.
         record: A .zip file to record it into, from which it can be explained and replayed.

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from worlds.ovmm_miniature.model_files import file_frame, model_hash
+from worlds.ovmm_miniature.scene_files import CONFIG, SCENES, floor_point, handles
 
 from uniteam.geometry import BasePose
 from uniteam.world.assets.mesh import load_model_mesh
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.task.episode import Candidate, Episode
-from worlds.ovmm_miniature.model_files import file_frame, model_hash
-from worlds.ovmm_miniature.scene_files import CONFIG, SCENES, floor_point, handles
 
 OBJECTS = "objects/train_val/uniteam/configs/objects"
 _TO_HABITAT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
@@ -96,9 +96,7 @@ class EpisodeFiles:
         rows = list(range(first, len(self._view_points)))
         return {"object_id": identifier, "position": [x, z, -y], "radius": None, "room_id": None, "view_points": rows}
 
-    def _surfaces(
-        self, home: Home, candidates: Iterable[Candidate], names: dict[str, str]
-    ) -> Iterable[dict[str, Any]]:
+    def _surfaces(self, home: Home, candidates: Iterable[Candidate], names: dict[str, str]) -> Iterable[dict[str, Any]]:
         """Yield an entry for each surface of furniture; the view points are dealt out among them."""
         for candidate in candidates:
             goal = self._goal(home, candidate, "7")
@@ -109,7 +107,7 @@ class EpisodeFiles:
 
 
 def start_rotation(start: BasePose) -> list[float]:
-    """Return the quaternion (x, y, z, w) that the challenge's task reads as a start's heading: its yaw is the negative."""
+    """Return the quaternion (x, y, z, w) that the task reads as a start's heading: its yaw is the negative of it."""
     turn = -start.heading
     return [0.0, math.sin(turn / 2), 0.0, math.cos(turn / 2)]
 

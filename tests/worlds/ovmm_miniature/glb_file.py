@@ -1,11 +1,11 @@
-"""Meshes as glTF binaries with KTX2 textures: y up, a node a mesh, positions and normals in floating point."""
+"""Meshes as glTF binaries with textures in KTX2 or PNG: y up, a node a mesh."""
 
 import json
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,14 +13,21 @@ from numpy.typing import NDArray
 from uniteam.world.assets.material import Material
 from uniteam.world.assets.mesh import Mesh
 from uniteam.world.export.visible import by_material
-from worlds.ovmm_miniature.ktx2_pictures import Ktx2Pictures
 
 _FLOAT, _UNSIGNED_INT = 5126, 5125
+_PNG, _BASISU = b"\x89PNG", "KHR_texture_basisu"
+
+
+class Pictures(Protocol):
+    """Makes pictures into files."""
+
+    def file(self, picture: NDArray[np.uint8]) -> bytes:
+        """Return the file of an (H, W, 3) RGB picture."""
 
 
 @dataclass
 class _Document:
-    pictures: Ktx2Pictures
+    pictures: Pictures
     blob: bytearray = field(default_factory=bytearray)
     lists: dict[str, list[Any]] = field(default_factory=dict)
     known: dict[int, int] = field(default_factory=dict)
@@ -63,19 +70,22 @@ class _Document:
 
     def texture(self, picture: NDArray[np.uint8]) -> int:
         if id(picture) not in self.known:
-            view = self.view(self.pictures.file(picture))
-            image = self.add("images", {"bufferView": view, "mimeType": "image/ktx2"})
-            self.known[id(picture)] = self.add("textures", {"extensions": {"KHR_texture_basisu": {"source": image}}})
+            file = self.pictures.file(picture)
+            kind = "image/png" if file.startswith(_PNG) else "image/ktx2"
+            source = {"source": self.add("images", {"bufferView": self.view(file), "mimeType": kind})}
+            texture = source if kind == "image/png" else {"extensions": {_BASISU: source}}
+            self.known[id(picture)] = self.add("textures", texture)
         return self.known[id(picture)]
 
 
-def write_glb(path: Path, meshes: Sequence[Mesh], pictures: Ktx2Pictures) -> None:
+def write_glb(path: Path, meshes: Sequence[Mesh], pictures: Pictures) -> None:
     """Write meshes, whose frame has z up, into one file, each as a node of its own."""
     document = _Document(pictures)
     for mesh in meshes:
         primitives = [document.primitive(piece, document.material(kind)) for kind, piece in by_material(mesh)]
         document.add("nodes", {"mesh": document.add("meshes", {"primitives": primitives})})
-    extensions = ["KHR_texture_basisu"] if "textures" in document.lists else []
+    textures = document.lists.get("textures", [])
+    extensions = sorted({name for texture in textures for name in texture.get("extensions", {})})
     content = {
         "asset": {"version": "2.0"},
         "scene": 0,

@@ -4,15 +4,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from uniteam.world.homes.home import Home
-from uniteam.world.task.episode import Episode
-from uniteam.world.task.splits import load_split
 from worlds.ovmm_miniature.episode_files import OBJECTS, EpisodeFiles
 from worlds.ovmm_miniature.ktx2_pictures import Ktx2Pictures
 from worlds.ovmm_miniature.model_files import write_model
 from worlds.ovmm_miniature.scene_files import write_scene, write_tables
 
-SPLIT, HOMES, PER_HOME = "val", ("test-2018", "test-2016"), 2
+from uniteam.world.homes.home import Home
+from uniteam.world.task.episode import Episode
+from uniteam.world.task.splits import load_split
+
+SPLIT = "val"
+EPISODES = ("test-2018-1", "test-2018-2", "test-2016-1", "test-2016-4")
 
 
 @dataclass(frozen=True)
@@ -31,9 +33,9 @@ class Original:
 def original() -> Original:
     """Return the homes and the episodes."""
     split = load_split(SPLIT)
-    homes = {name: split.homes[name] for name in HOMES}
-    episodes = [e for name in HOMES for e in [e for e in split.episodes if e.home == name][:PER_HOME]]
-    return Original(homes, episodes)
+    by_id = {episode.id: episode for episode in split.episodes}
+    episodes = [by_id[name] for name in EPISODES]
+    return Original({episode.home: split.homes[episode.home] for episode in episodes}, episodes)
 
 
 def write_miniature(made_of: Original, folder: Path, pictures: Ktx2Pictures) -> Path:

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-
-from uniteam.world.assets.mesh import Mesh, load_model_mesh
-from uniteam.world.assets.model import Model
 from worlds.ovmm_miniature.glb_file import write_glb
 from worlds.ovmm_miniature.ktx2_pictures import Ktx2Pictures
 from worlds.ovmm_miniature.solids import flat, solid
+
+from uniteam.world.assets.mesh import Mesh, load_model_mesh
+from uniteam.world.assets.model import Model
 
 Vector = NDArray[np.float64]
 
@@ -43,7 +43,7 @@ class FileFrame:
 
 
 def file_frame(model: Model) -> FileFrame:
-    """Return a frame that differs from model to model: moved all, some scaled, furniture stretched, objects weighted."""
+    """Return a frame that differs from model to model: all are moved, some scaled, stretched or weighted."""
     number = int(model_hash(model), 16)
     is_object = model.role == "object"
     shift = np.array([0.31, -0.17, 0.07]) * (1 + number % 3)

@@ -7,14 +7,14 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from worlds.ovmm_miniature.glb_file import write_glb
+from worlds.ovmm_miniature.ktx2_pictures import Ktx2Pictures
+from worlds.ovmm_miniature.model_files import file_frame, model_hash, write_model
 
 from uniteam.geometry import Point2, quaternion_to_matrix
 from uniteam.world.assets.mesh import Mesh
 from uniteam.world.homes.home import Home, Instance, Room
 from uniteam.world.rendering.meshes.stage_mesh import StagePart, stage_parts
-from worlds.ovmm_miniature.glb_file import write_glb
-from worlds.ovmm_miniature.ktx2_pictures import Ktx2Pictures
-from worlds.ovmm_miniature.model_files import file_frame, model_hash, write_model
 
 SCENES, CONFIG = "scenes-uncluttered", "hssd-hab-uncluttered.scene_dataset_config.json"
 
@@ -25,8 +25,7 @@ def write_scene(home: Home, folder: Path, pictures: Ktx2Pictures) -> None:
     for name in sorted({instance.model for instance in furniture}):
         model = home.library[name]
         write_model(model, folder / "objects" / model_hash(model)[0], pictures)
-    parts = [_shining(part) for part in stage_parts(home.stage, home.library)]
-    write_glb(folder / "stages" / f"{home.name}.glb", parts, pictures)
+    write_glb(folder / "stages" / f"{home.name}.glb", stage_meshes(home), pictures)
     _write(folder / "stages" / f"{home.name}.stage_config.json", {"render_asset": f"{home.name}.glb"})
     scene = {
         "stage_instance": {"template_name": f"stages/{home.name}"},
@@ -40,6 +39,11 @@ def write_scene(home: Home, folder: Path, pictures: Ktx2Pictures) -> None:
     _write(folder / SCENES / f"{home.name}.scene_instance.json", scene)
     regions = {"region_annotations": [_region(room, home.stage.ceiling_height) for room in home.stage.rooms]}
     _write(folder / "semantics" / "scenes" / f"{home.name}.semantic_config.json", regions)
+
+
+def stage_meshes(home: Home) -> list[Mesh]:
+    """Return the meshes of floors, walls and ceilings; what shines by itself is of materials that are not lit."""
+    return [_shining(part) for part in stage_parts(home.stage, home.library)]
 
 
 def write_tables(homes: Iterable[Home], data: Path) -> None:
@@ -90,7 +94,6 @@ def _region(room: Room, ceiling: float) -> dict[str, object]:
 
 
 def _shining(part: StagePart) -> Mesh:
-    """Return a part's mesh; one that glows is of materials that are not lit."""
     materials = tuple(replace(m, is_lit=not part.is_glowing) for m in part.mesh.materials)
     return replace(part.mesh, materials=materials)
 

@@ -24,7 +24,7 @@ def decode_image(content: bytes) -> NDArray[np.uint8]:
         ValueError: it is none, is damaged or is too large.
         UnavailableError: it is in KTX2, for which an extra has to be installed.
     """
-    width, height = _size(content)
+    width, height = picture_size(content)
     if not 0 < width * height <= MOST_PIXELS:
         raise ValueError(f"a picture of {width} x {height} pixels, where at most {MOST_PIXELS} in all are read")
     if content.startswith(ktx2.MAGIC):
@@ -39,8 +39,8 @@ def decode_image(content: bytes) -> NDArray[np.uint8]:
     return np.ascontiguousarray(decoded[..., ::-1], dtype=np.uint8)
 
 
-def _size(content: bytes) -> tuple[int, int]:
-    """Return width and height (pixels) from a picture's header."""
+def picture_size(content: bytes) -> tuple[int, int]:
+    """Return width and height (pixels) from a picture's header; raises ValueError, struct.error where it has none."""
     if content.startswith(_PNG) and len(content) >= 24:
         return struct.unpack_from(">II", content, 16)
     if content.startswith(_JPEG):

@@ -6,10 +6,10 @@ front to +z; what is returned has z up and its front to -y.
 """
 
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import msgspec
 import numpy as np
@@ -22,11 +22,13 @@ from uniteam.world.assets.model import Model
 from uniteam.world.assets.reading import damaged, read_bytes
 
 Matrix = NDArray[np.float64]
+Read = TypeVar("Read")
 
 MOST_TRIANGLES = 1_000_000
 FARTHEST = 1_000.0
 """No vertex lies farther than this from the origin along an axis (m)."""
 
+_PLAIN = (Material((1.0, 1.0, 1.0)),)
 _TRIANGLES = 4
 _LINES = frozenset(range(4))
 _Z_UP = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
@@ -79,6 +81,11 @@ def load_geometry(path: Path) -> Mesh:
     return _load(path, plain_materials)
 
 
+def load_pieces(path: Path) -> tuple[Mesh, ...]:
+    """Read each primitive of a glTF binary as a mesh of its own, without its looks; raises DamagedFileError."""
+    return _reading(path, lambda gltf: tuple(_joined([replace(piece, material=0)], _PLAIN) for piece in _pieces(gltf)))
+
+
 def load_model_mesh(model: Model) -> Mesh:
     """Read the mesh of a model in the model's frame; raises what `load_mesh` does."""
     mesh = load_mesh(model.path)
@@ -92,15 +99,22 @@ def moved(mesh: Mesh, to_other: Matrix) -> Mesh:
 
 
 def _load(path: Path, look: Callable[[GltfBinary, int], tuple[Material, ...]]) -> Mesh:
+    def read(gltf: GltfBinary) -> Mesh:
+        pieces = _pieces(gltf)
+        return _joined(pieces, look(gltf, max(piece.material for piece in pieces)))
+
+    return _reading(path, read)
+
+
+def _reading(path: Path, read: Callable[[GltfBinary], Read]) -> Read:
     content = read_bytes(path, "the model")
     try:
-        return _mesh(read_gltf(content), look)
+        return read(read_gltf(content))
     except (ValueError, IndexError, struct.error, msgspec.MsgspecError, RecursionError) as error:
         raise damaged(path, "the model", str(error)) from error
 
 
-def _mesh(gltf: GltfBinary, look: Callable[[GltfBinary, int], tuple[Material, ...]]) -> Mesh:
-    pieces = _pieces(gltf)
+def _joined(pieces: Sequence[_Piece], materials: tuple[Material, ...]) -> Mesh:
     starts = np.cumsum([0, *(len(piece.vertices) for piece in pieces)])
     return Mesh(
         np.ascontiguousarray(np.concatenate([piece.vertices for piece in pieces])),
@@ -108,7 +122,7 @@ def _mesh(gltf: GltfBinary, look: Callable[[GltfBinary, int], tuple[Material, ..
         np.ascontiguousarray(np.concatenate([piece.uvs for piece in pieces])),
         np.concatenate([p.triangles + start for p, start in zip(pieces, starts, strict=False)]).astype(np.int32),
         np.concatenate([np.full(len(piece.triangles), piece.material, np.int32) for piece in pieces]),
-        look(gltf, max(piece.material for piece in pieces)),
+        materials,
     )
 
 

@@ -1,10 +1,9 @@
 """Splits as files: JSON lines, gzip, self-contained.
 
-Everything is checked when it is read: the fields of a line by `split_schema`, an episode against its home by
-`check_episode`. A line is one of `{"split": {"version": 2}}` (once; a file without it is of version 1),
-`{"home": {...}}` (once for each home, objects at rest where physics left them),
-`{"view_points": {"home": name, "instances": {name: runs}}}` (see `lattice`) and `{"episode": {...}}`. A file may also
-be plain JSON lines, so that a split can be written by hand.
+Everything is checked when it is read: the fields of a line by `split_schema`, an episode by `check_episode`. A line is
+one of `{"split": {"version": 2}}` (once; a file without it is of version 1), `{"home": {...}}` (once for each home,
+objects at rest), `{"view_points": {"home": name, "instances": {name: runs}}}` (see `lattice`) and `{"episode": {...}}`.
+A file may also be plain JSON lines, so that a split can be written by hand.
 """
 
 import gzip
@@ -47,14 +46,13 @@ Value = TypeVar("Value")
 
 
 def load_split(name_or_path: str | Path) -> Split:
-    """Read a built-in split by its name, a split's file by its path, or the challenge's files by "ovmm:" and a folder.
+    """Read a built-in split by its name, a file by its path, or a folder of the challenge's files by "ovmm:FOLDER".
 
     Raises:
         UnknownNameError: neither a built-in split nor a file.
         DamagedFileError: the file is not a split, or something in it makes no sense; the sentence says where.
     """
-    official = parse_ovmm_name(str(name_or_path))
-    if official is not None:
+    if (official := parse_ovmm_name(str(name_or_path))) is not None:
         return official.load()
     path = _path_of(str(name_or_path))
     return decode_split(_read(path), path)
@@ -83,14 +81,19 @@ def decode_split(content: bytes, path: Path) -> Split:
         raise _damaged(path, str(error)) from error
     if not episodes:
         raise _damaged(path, "it holds no episode")
-    name = path.name.removesuffix(".gz").removesuffix(".jsonl")
-    return Split(name, episodes, contents.homes, contents.version)
+    return Split(path.name.removesuffix(".gz").removesuffix(".jsonl"), episodes, contents.homes, contents.version)
 
 
-def split_files(name_or_path: str | Path) -> tuple[Path, ...]:
+def split_files(name_or_path: str) -> tuple[Path, ...]:
     """Return the files in which the episodes of a split stand; raises UnknownNameError."""
-    official = parse_ovmm_name(str(name_or_path))
-    return (_path_of(str(name_or_path)),) if official is None else official.files()
+    official = parse_ovmm_name(name_or_path)
+    return (_path_of(name_or_path),) if official is None else official.files()
+
+
+def split_label(name_or_path: str) -> str:
+    """Return a short name for a split, which can be a folder's."""
+    official = parse_ovmm_name(name_or_path)
+    return Path(name_or_path).name.split(".")[0] if official is None else official.label
 
 
 class _Contents:
@@ -176,8 +179,7 @@ def _path_of(name_or_path: str) -> Path:
     except (OSError, ValueError):
         is_file = False
     if not is_file:
-        hint = "a file of episodes, or ovmm:DIR for the challenge's own"
-        raise UnknownNameError("split or episode file", name_or_path, SPLIT_NAMES, hint)
+        raise UnknownNameError("split or episode file", name_or_path, SPLIT_NAMES, "a file, or ovmm:FOLDER")
     return path
 
 

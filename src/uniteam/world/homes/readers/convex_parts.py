@@ -4,6 +4,8 @@ A hull's corners are the outermost points of its part in some thirty directions,
 at most 32 corners as they are and shrinks a round one by a little.
 """
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,13 +20,13 @@ WELD = 1e-4
 """Points nearer than this are one (m)."""
 
 _THIN, _THICKNESS = 1e-3, 2e-3
+_FEWEST_FACES = 4
+"""Of a solid."""
 
 
-def convex_parts(mesh: Mesh) -> tuple[CollisionShape, ...]:
-    """Return a hull for each connected part of a mesh, the largest first."""
-    points, triangles = _welded(mesh)
-    labels = _labels(len(points), triangles)
-    parts = [points[labels == label] for label in np.unique(labels[triangles])]
+def convex_parts(pieces: Iterable[Mesh]) -> tuple[CollisionShape, ...]:
+    """Return a hull for each connected part of some meshes, the largest first; parts of two meshes are two."""
+    parts = [part for piece in pieces for part in _parts(piece)]
     parts.sort(key=lambda part: -float(np.ptp(part, axis=0).max()))
     return tuple(hull for part in parts[:MOST_PARTS] if (hull := convex_hull(part)) is not None)
 
@@ -51,11 +53,21 @@ def bounding_box(mesh: Mesh) -> Box:
     return Box(center, size)
 
 
-def _welded(mesh: Mesh) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Return the distinct points of a mesh, and its triangles between them."""
-    cells = np.round(mesh.vertices.astype(np.float64) / WELD).astype(np.int64)
+def _parts(mesh: Mesh) -> list[NDArray[np.float64]]:
+    """Return the points of each connected part: by shared corners, or by their places where faces share none."""
+    points, triangles = mesh.vertices.astype(np.float64), mesh.triangles.astype(np.int64)
+    labels = _labels(len(points), triangles)
+    if (np.unique(labels[triangles[:, 0]], return_counts=True)[1] < _FEWEST_FACES).any():
+        points, triangles = _welded(points, triangles)
+        labels = _labels(len(points), triangles)
+    return [points[labels == label] for label in np.unique(labels[triangles])]
+
+
+def _welded(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Return the distinct points, and the triangles between them."""
+    cells = np.round(points / WELD).astype(np.int64)
     _, first, index = np.unique(cells, axis=0, return_index=True, return_inverse=True)
-    return mesh.vertices[first].astype(np.float64), index.reshape(-1)[mesh.triangles]
+    return points[first], index.reshape(-1)[triangles]
 
 
 def _labels(count: int, triangles: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import Point2, quaternion_to_matrix
-from uniteam.world.assets.mesh import Mesh, load_geometry, moved
+from uniteam.world.assets.mesh import Mesh, load_geometry, load_pieces, moved
 from uniteam.world.assets.model import (
     RECEPTACLE_CATEGORIES,
     CollisionShape,
@@ -141,13 +141,12 @@ def _shapes(config: ObjectConfig, path: Path, shown: Mesh, to_model: Matrix, rol
         return ()
     if config.use_bounding_box_for_collision:
         return (bounding_box(shown),)
-    mesh = shown
-    if config.collision_asset is not None and config.collision_asset != config.render_asset:
-        mesh = moved(load_geometry(path.parent / config.collision_asset), to_model)
+    file = path.parent / (config.collision_asset or config.render_asset)
+    pieces = [moved(piece, to_model) for piece in load_pieces(file)]
     if role == "object":
-        hull = convex_hull(mesh.vertices)
+        hull = convex_hull(np.concatenate([piece.vertices for piece in pieces]))
         return (bounding_box(shown) if hull is None else hull,)
-    return convex_parts(mesh) or (bounding_box(shown),)
+    return convex_parts(pieces) or (bounding_box(shown),)
 
 
 def _surfaces(config: ObjectConfig, path: Path, to_model: Matrix) -> Iterator[SupportSurface]:

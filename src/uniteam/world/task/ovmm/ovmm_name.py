@@ -1,5 +1,6 @@
 """Names of splits that stand for a folder of the challenge's files: "ovmm:DIR/val"."""
 
+import logging
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,7 +8,9 @@ from pathlib import Path
 from uniteam.world.homes.readers.habitat_frame import Heading, heading_as_coded, heading_as_written
 from uniteam.world.task.episode import Split
 from uniteam.world.task.ovmm.episode_file import FILES
-from uniteam.world.task.ovmm.ovmm_split import load_ovmm_split
+from uniteam.world.task.ovmm.ovmm_split import OvmmSplit, read_ovmm_split
+
+_log = logging.getLogger(__name__)
 
 HEADINGS: Mapping[str, Heading] = {"ovmm": heading_as_coded, "ovmm-as-written": heading_as_written}
 """How the rotation of a start is read, by what stands before the colon."""
@@ -25,9 +28,27 @@ class OvmmName:
     kind: str
     folder: Path
 
+    @property
+    def label(self) -> str:
+        """What the split is called: "ovmm-val"."""
+        return f"{self.kind}-{self.folder.resolve().name}"
+
     def load(self) -> Split:
-        """Return the split; raises DamagedFileError, also where there is no such folder."""
-        return load_ovmm_split(self.folder, self.kind, HEADINGS[self.kind])
+        """Return the split, and warn of episodes that are left out; raises what `read` does."""
+        read = self.read()
+        if read.left_out:
+            name, reason = next(iter(read.left_out.items()))
+            count = f"{len(read.left_out)} of {len(read.left_out) + len(read.split.episodes)} episodes"
+            _log.warning("%s in %s are left out; the first, %s: %s", count, self.folder, name, reason)
+        return read.split
+
+    def read(self) -> OvmmSplit:
+        """Return the split, and what is left out of it.
+
+        Raises:
+            DamagedFileError: a file is missing or damaged, or no episode can be played; also where there is no folder.
+        """
+        return read_ovmm_split(self.folder, self.label, HEADINGS[self.kind])
 
     def files(self) -> tuple[Path, ...]:
         """Return the files of the folder that are read."""

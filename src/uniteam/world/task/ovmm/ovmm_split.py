@@ -4,7 +4,6 @@ An episode that does not fit its home, such as one whose goal nobody can see, is
 missing or damaged ends the reading.
 """
 
-import logging
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,8 +22,6 @@ from uniteam.world.task.ovmm.episode_file import EPISODES, Goal, OvmmEpisode, Ov
 from uniteam.world.task.ovmm.layout import find_data
 from uniteam.world.task.ovmm.ovmm_homes import OvmmHomes, instance_names, object_index, parent_of
 
-_log = logging.getLogger(__name__)
-
 
 @dataclass(frozen=True)
 class OvmmSplit:
@@ -39,27 +36,17 @@ class OvmmSplit:
     left_out: dict[str, str]
 
 
-def load_ovmm_split(folder: Path, kind: str, heading: Heading) -> Split:
-    """Return the split of a folder of episodes, and warn where some of them are left out.
+def read_ovmm_split(folder: Path, label: str, heading: Heading) -> OvmmSplit:
+    """Return the split of a folder of episodes, and what is left out of it.
 
     Args:
         folder: holds `episodes.json.gz` and its two arrays.
-        kind: what the split's name begins with.
+        label: the split's name.
         heading: how the start's rotation is to be read.
 
     Raises:
         DamagedFileError: a file is missing or damaged, or no episode can be played.
     """
-    read = read_ovmm_split(folder, kind, heading)
-    if read.left_out:
-        name, reason = next(iter(read.left_out.items()))
-        count = f"{len(read.left_out)} of {len(read.left_out) + len(read.split.episodes)} episodes"
-        _log.warning("%s in %s are left out; the first, %s: %s", count, folder, name, reason)
-    return read.split
-
-
-def read_ovmm_split(folder: Path, kind: str, heading: Heading) -> OvmmSplit:
-    """Return the split of a folder of episodes, and what is left out of it; takes and raises what the other does."""
     files = read_ovmm_files(folder)
     if not files.episodes:
         raise DamagedFileError(f"{folder / EPISODES} holds no episode; download it anew")
@@ -78,7 +65,7 @@ def read_ovmm_split(folder: Path, kind: str, heading: Heading) -> OvmmSplit:
     if not episodes:
         name, reason = next(iter(left_out.items()))
         raise DamagedFileError(f"no episode of {folder / EPISODES} can be played; the first, '{name}': {reason}")
-    split = Split(f"{kind}-{folder.resolve().name}", tuple(episodes.values()), reader.homes)
+    split = Split(label, tuple(episodes.values()), reader.homes)
     return OvmmSplit(split, left_out)
 
 
