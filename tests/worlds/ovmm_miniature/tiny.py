@@ -3,9 +3,9 @@
 import math
 from pathlib import Path
 
-from worlds.own_home import made_home
 from worlds.ovmm_miniature.ktx2_pictures import Ktx2Pictures
 from worlds.ovmm_miniature.miniature import Original, write_miniature
+from worlds.own_home import made_home
 
 from uniteam.geometry import BasePose
 from uniteam.interface import Instruction
