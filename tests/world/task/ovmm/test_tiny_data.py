@@ -122,7 +122,7 @@ FAULTS: dict[str, tuple[Callable[[Path], None], str]] = {
     "not gzip": (lambda d: _write(d / "episodes.json.gz", b"{}"), "Not a gzipped file"),
     "cut": (lambda d: _write(d / "episodes.json.gz", (d / "episodes.json.gz").read_bytes()[:300]), "end-of-stream"),
     "another field": (lambda d: change(d, partial(put, "scene_id", 3)), "episodes[0].scene_id"),
-    "no scene": (lambda d: shutil.rmtree(d.parents[2] / "hssd-hab"), "data/hssd-hab"),
+    "no scene": (lambda d: shutil.rmtree(d.parents[2] / "hssd-hab"), "no folder above holds"),
     "no scene file": (lambda d: shutil.rmtree(d.parents[2] / "hssd-hab/scenes-uncluttered"), "there is no such file"),
     "no models": (lambda d: shutil.rmtree(d.parents[2] / "hssd-hab/objects"), "there is no such file among"),
     "no objects": (lambda d: shutil.rmtree(d.parents[2] / "objects/train_val"), "there is no such file among"),

@@ -111,25 +111,33 @@ def parent_of(receptacle: str) -> str:
 
 def furniture_classes(episodes: Iterable[OvmmEpisode]) -> Mapping[str, str]:
     """Return the classes of furniture's models that episodes ask for; their word goes before that of a table."""
-    return {
-        parent_of(goal.object_name).partition("_:")[0]: clean(category)
+    return _most_said(
+        (parent_of(goal.object_name).partition("_:")[0], category)
         for episode in episodes
         for goals, category in (
             (episode.candidate_start_receps, episode.start_recep_category),
             (episode.candidate_goal_receps, episode.goal_recep_category),
         )
         for goal in goals
-    }
+    )
 
 
 def object_classes(episodes: Iterable[OvmmEpisode]) -> Mapping[str, str]:
     """Return the classes of small objects' models that episodes ask for; of others the files say nothing."""
-    return {
-        model_name(episode.rigid_objs[index][0]): clean(episode.object_category)
+    return _most_said(
+        (model_name(episode.rigid_objs[index][0]), episode.object_category)
         for episode in episodes
         for index in map(object_index, episode.candidate_objects)
         if 0 <= index < len(episode.rigid_objs)
-    }
+    )
+
+
+def _most_said(words: Iterable[tuple[str, str]]) -> Mapping[str, str]:
+    """Return for each model the class that most episodes give it, the first of those that as many do."""
+    counts: dict[str, Counter[str]] = {}
+    for model, category in words:
+        counts.setdefault(model, Counter())[clean(category)] += 1
+    return {model: count.most_common(1)[0][0] for model, count in counts.items()}
 
 
 def object_index(goal: Goal) -> int:
