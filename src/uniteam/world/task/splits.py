@@ -84,16 +84,14 @@ def decode_split(content: bytes, path: Path) -> Split:
     return Split(path.name.removesuffix(".gz").removesuffix(".jsonl"), episodes, contents.homes, contents.version)
 
 
-def split_files(name_or_path: str) -> tuple[Path, ...]:
+def split_files(name: str) -> tuple[Path, ...]:
     """Return the files in which the episodes of a split stand; raises UnknownNameError."""
-    official = parse_ovmm_name(name_or_path)
-    return (_path_of(name_or_path),) if official is None else official.files()
+    return (_path_of(name),) if (official := parse_ovmm_name(name)) is None else official.files()
 
 
-def split_label(name_or_path: str) -> str:
+def split_label(name: str) -> str:
     """Return a short name for a split, which can be a folder's."""
-    official = parse_ovmm_name(name_or_path)
-    return Path(name_or_path).name.split(".")[0] if official is None else official.label
+    return Path(name).name.split(".")[0] if (official := parse_ovmm_name(name)) is None else official.label
 
 
 class _Contents:
