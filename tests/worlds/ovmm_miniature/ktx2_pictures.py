@@ -26,6 +26,6 @@ class Ktx2Pictures:
     def left_of(self, picture: Picture) -> Picture:
         """Return what the coding leaves of a picture, by another decoder than ours: that of the encoder's makers."""
         png, _ = alktx2.decode_ktx2_to_bytes(self.file(picture), format="png")
-        decoded = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_COLOR)
+        decoded = np.asarray(cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_COLOR), np.uint8)
         # That decoder shows the whole of the last blocks of 4 x 4, which reach beyond a picture of another size.
         return np.ascontiguousarray(decoded[: picture.shape[0], : picture.shape[1], ::-1])

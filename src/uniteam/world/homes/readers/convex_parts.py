@@ -81,10 +81,10 @@ def _labels(count: int, triangles: NDArray[np.int64]) -> NDArray[np.int64]:
             return labels
 
 
-def _outermost(points: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+def _outermost(points: NDArray[np.floating], count: int) -> NDArray[np.float64]:
     """Return at most so many points, those that lie farthest in as many directions; all where there are no more."""
     if len(points) <= count:
-        return points
+        return np.asarray(points, dtype=np.float64)
     return np.asarray(points[np.unique((points @ _directions(count).T).argmax(axis=0))])
 
 

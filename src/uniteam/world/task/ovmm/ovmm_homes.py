@@ -41,7 +41,8 @@ class OvmmHomes:
         self._files, self._data = files, data
         hssd = data.file(files.episodes[0].scene_id).parent.parent
         tables = [read_categories(hssd / MODELS_CSV), *(read_categories(path) for path in data.receptacle_tables())]
-        told = {name: kind for table in tables for name, kind in table.items()} | furniture_classes(files.episodes)
+        tables.append(furniture_classes(files.episodes))
+        told = {name: kind for table in tables for name, kind in table.items()}
         self._furniture = ModelReader(object_configs(hssd / "objects"), told)
         folders = sorted({path for episode in files.episodes for path in episode.additional_obj_config_paths})
         configs = {name: path for folder in folders for name, path in object_configs(data.file(folder)).items()}
