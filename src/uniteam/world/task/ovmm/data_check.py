@@ -129,7 +129,10 @@ def _cost(homes: Iterable[Home]) -> Finding:
         models = {home.model_of(instance).path for instance in home.instances}
         costs[home.name] = sum(of(path) for path in (*models, home.stage.mesh) if path is not None)
     name = max(costs, key=costs.__getitem__)
-    return Finding("cost", f"a worker needs about {costs[name] / 1e6:.0f} MB for the largest home, {name}.")
+    return Finding(
+        "cost",
+        f"models and textures take about {costs[name] / 1e6:.0f} MB for the largest home, {name}, in each worker.",
+    )
 
 
 def _starts(split: Split) -> Iterator[Finding]:
