@@ -43,6 +43,10 @@ COMMANDS = {
         "compare agents on the episodes that all have played, with intervals and tests of the paired differences",
         "uniteam compare runs/val-truth-half-challenge:baseline runs/val-truth-half-challenge:uniteam",
     ),
+    "explain": Command(
+        "say why each episode failed, and count the causes from all episodes down to overall success",
+        "uniteam explain runs/val-truth-half-challenge --figure why.png",
+    ),
     "merge": Command(
         "make one run of the shards of a run",
         "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
