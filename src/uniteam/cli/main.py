@@ -55,6 +55,10 @@ COMMANDS = {
         "measure what each improvement is worth, alone, taken away and one after the other",
         "uniteam ablate --split val --perception truth --episodes 100",
     ),
+    "swap": Command(
+        "replace one module at a time by the truth, and count the failures that this heals",
+        "uniteam swap --split val --agents uniteam-plus --modules pick place --episodes 100",
+    ),
     "leaderboard": Command(
         "score results anew from the line of each episode, by style and by seen and unseen",
         "uniteam leaderboard results/val-truth-half-challenge",

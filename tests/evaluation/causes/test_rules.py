@@ -1,6 +1,7 @@
 """Each rule finds its cause in an episode that is told by hand, and not where the deciding fact is another."""
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from worlds.stories import grasp, placing, release, story, target, unseen
@@ -11,7 +12,7 @@ from uniteam.evaluation.causes.story import Standstill, Story, Touch
 from uniteam.world.task.measures import Measures
 
 PLACED = Measures(True, True, True, True, 2, 400, True)
-LIES = {"rests_on": ("table_1",), "is_over_goal": True}
+LIES: dict[str, Any] = {"rests_on": ("table_1",), "is_over_goal": True}
 WALL, LEG = Touch(310, "wall", "PLACE", (2.0, 1.0)), Touch(312, "table_1", "PLACE", (2.0, 1.0))
 STILL = Standstill(600, 1249, (1.0, 1.0), 40)
 STOPPED = Measures(num_steps=600, does_want_terminate=True)
@@ -34,6 +35,9 @@ CASES: dict[str, tuple[Story, Cause, str]] = {
     "an object that trembles": (placing(is_over_goal=True, rest_steps=10), Cause.WORLD, "stayed on table_1 for 60"),
     "a contact that is not counted": (placing(rest_steps=60, **LIES), Cause.WORLD, "at a contact that does not count"),
     "a stop too early": (placing(rest_steps=20, stay_steps=20, **LIES), Cause.STOPPED_EARLY, "20 of 50 steps"),
+    "a stop while it still rolls": (
+        placing(is_over_goal=True, rests_on=None, stay_steps=3), Cause.STOPPED_EARLY, "0 of 50 steps",
+    ),
     "a wall between": (placing(is_wall_between=True, to_goal=0.3), Cause.AGAINST_WALL, "a wall is between"),
     "a table that is none": (
         placing(to_goal=2.5, believed="floor or wall"), Cause.WRONG_RECEPTACLE, "floor or wall was taken for a table",
@@ -67,7 +71,7 @@ CASES: dict[str, tuple[Story, Cause, str]] = {
     "a narrow passage, stuck": (
         story(objects=(unseen(),), way=0.7, standstill=STILL), Cause.NARROW_PASSAGE, "to the cup is 0.70 m wide",
     ),
-    "a narrow passage, given up": (story(objects=(unseen(),), way=0.7, measures=STOPPED), Cause.NARROW_PASSAGE, "0.70"),
+    "a narrow passage, given up": (story(way=0.7, measures=STOPPED), Cause.NARROW_PASSAGE, "0.70"),
     "stuck": (story(standstill=STILL), Cause.STUCK, "within a metre for 650 steps"),
     "given up": (story(measures=STOPPED), Cause.GAVE_UP, "stopped after 600 steps in NAVIGATE_TO_OBJECT"),
     "never seen": (story(objects=(unseen(),), way=0.7), Cause.NEVER_SEEN, "more than 3 pixels"),
@@ -103,8 +107,10 @@ def test_every_rule_decides_an_episode_and_every_cause_but_that_without_a_record
         (story(grasps=(grasp(believed="mug_1"),)), Cause.WRONG_OBJECT),
         (story(grasps=(grasp(took="cup_1"),), taken_at=200, held="cup_1"), Cause.OUT_OF_REACH),
         (story(objects=(target(recognised_at=None), target("cup_2"))), Cause.NOT_RECOGNISED),
+        (story(objects=(target(recognised_at=None),), has_said=False), Cause.NOT_RECOGNISED),
         (story(objects=(target(nearest=0.6),), way=0.7, measures=STOPPED), Cause.NARROW_PASSAGE),
         (story(way=0.9, measures=STOPPED), Cause.NARROW_PASSAGE),
+        (story(objects=(unseen(),), way=0.7, measures=STOPPED), Cause.NARROW_PASSAGE),
         (story(standstill=replace(STILL, last=800)), Cause.STUCK),
         (replace(story(taken_at=200), release=release()), Cause.RECEPTACLE_NEVER_FOUND),
     ],

@@ -40,7 +40,7 @@ class Grasp:
 
     Attributes:
         step: of the attempt.
-        nearest: the candidate object nearest to the gripper.
+        nearest: the candidate object nearest to the gripper, of those in the picture where there are any.
         distance: from the gripper to it, in the horizontal plane (m).
         is_in_view: whether a pixel of it was in the picture.
         believed: what the agent took for the object in that picture, an instance or "floor or wall"; None for nothing.
@@ -70,7 +70,8 @@ class Release:
         arm: how far the arm was extended (m).
         lift: how high the lift was (m).
         touched: what arm, gripper or object touched in the last steps before, or None.
-        goal: the goal receptacle nearest to it.
+        goal: the goal receptacle that the agent saw last before; else the nearest to it that is behind no wall, or the
+            nearest where all are.
         to_goal: distance in the plane to that one's rectangle (m); 0 above it.
         goal_lowest: height of its lowest surface (m).
         goal_side: the longer side of its rectangle (m).
@@ -104,6 +105,11 @@ class Release:
     is_over_goal: bool
     stay_steps: int
     rest_steps: int
+
+    @property
+    def is_on_goal(self) -> bool:
+        """Whether it lies on a goal receptacle in the end, or is above one and has not come to rest."""
+        return self.rest_steps > 0 or (self.is_over_goal and self.rests_on is None)
 
 
 @dataclass(frozen=True)
@@ -167,6 +173,7 @@ class Story:
         touches: of arm or gripper with the scene.
         way: width (m) of the widest way, at the end, from the base to a view point of what it was still to reach; None
             where that was not looked into.
+        has_said: whether the agent said at any step what it believed to see.
         moved_alone: a candidate object that was moved far before the robot had touched anything, or None.
     """
 
@@ -185,6 +192,7 @@ class Story:
     standstill: Standstill | None = None
     touches: tuple[Touch, ...] = ()
     way: float | None = None
+    has_said: bool = True
     moved_alone: str | None = None
 
     @property

@@ -34,13 +34,14 @@ def _grasp(recording: Recording, step: int, look: Look | None) -> Grasp:
     for candidate in recording.episode.objects:
         low, high = box_of(recording.home, candidate.name, poses[candidate.name])
         distances[candidate.name] = float(np.hypot(*((low + high)[:2] / 2 - gripper)))
-    nearest = min(distances, key=lambda name: distances[name])
+    in_view = {name: bool(recording.visible_pixels(name)[step]) for name in distances}
+    nearest = min(distances, key=lambda name: (not in_view[name], distances[name]))
     category = recording.episode.instruction.object_category
     return Grasp(
         step=step,
         nearest=nearest,
         distance=distances[nearest],
-        is_in_view=bool(recording.visible_pixels(nearest)[step]),
+        is_in_view=in_view[nearest],
         believed=None if look is None else look.taken_for(category, recording.header.instances),
         took=recording.steps[step].events.grasped,
         place=(base.x, base.y),

@@ -52,6 +52,7 @@ def read_story(recording: Recording) -> Story:
         standstill=read_standstill(bases, [step.events.blocked for step in recording.steps]),
         touches=tuple(_touches(recording, bases)),
         way=_way(recording, bases, taken_at) if is_to_search and recording.steps else None,
+        has_said=any(step.detections is not None for step in recording.steps),
         moved_alone=_moved_alone(recording),
     )
 

@@ -1,6 +1,6 @@
 """The last time that a candidate object was let go of, and what became of it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -45,10 +45,10 @@ def read_release(recording: Recording, looks: Mapping[int, Look]) -> Release | N
     middle = (low + high)[:2] / 2
     place = (float(middle[0]), float(middle[1]))
     goals = [home.by_name[candidate.name] for candidate in episode.goal_receptacles]
-    distances = [float(distances_to(home, goal, middle[None])[0]) for goal in goals]
-    goal, to_goal = min(zip(goals, distances, strict=True), key=lambda pair: pair[1])
     belief = moment_of_belief(recording, step)
     look = None if belief is None else looks.get(belief)
+    believed = None if look is None else look.taken_for(episode.instruction.goal_receptacle, _names(recording))
+    goal = _goal_of(home, goals, place, believed, float(low[2]))
     rests_on = recording.steps[-1].resting_on
     x, y, z = recording.objects.at(len(recording.steps))[name][:3, 3]
     return Release(
@@ -61,12 +61,12 @@ def read_release(recording: Recording, looks: Mapping[int, Look]) -> Release | N
         lift=recording.true_joints(step).lift,
         touched=_touched(recording, step),
         goal=goal.name,
-        to_goal=to_goal,
+        to_goal=_distance(home, goal, place),
         goal_lowest=_lowest_surface(home, goal),
         goal_side=max(home.model_of(goal).size[:2]),
         above=_right_below(recording, step, name, (float(low[0]), float(high[0])), (float(low[1]), float(high[1]))),
         is_wall_between=_is_behind_wall(recording, step, place, goal, float(low[2])),
-        believed=None if look is None else look.taken_for(episode.instruction.goal_receptacle, _names(recording)),
+        believed=believed,
         rests_on=rests_on,
         rests_at=(float(x), float(y), float(z)),
         is_over_goal=any(_is_over(recording, name, each) for each in goals),
@@ -96,14 +96,28 @@ def _right_below(recording: Recording, step: int, name: str, xs: Point2, ys: Poi
     return max(tops, key=lambda other: tops[other], default=None)
 
 
+def _goal_of(home: Home, goals: Sequence[Instance], place: Point2, believed: str | None, height: float) -> Instance:
+    """Return the receptacle that an object was meant for: the one in view before, or the nearest behind no wall."""
+    meant = next((goal for goal in goals if goal.name == believed), None)
+    if meant is not None:
+        return meant
+    return min(goals, key=lambda goal: (_is_walled(home, goal, place, height), _distance(home, goal, place)))
+
+
+def _distance(home: Home, goal: Instance, place: Point2) -> float:
+    return float(distances_to(home, goal, np.array([place]))[0])
+
+
+def _is_walled(home: Home, goal: Instance, place: Point2, height: float) -> bool:
+    x, y = to_rectangle(home, goal, np.array([place]))[0]
+    return is_wall_between(home, place, (float(x), float(y)), height)
+
+
 def _is_behind_wall(recording: Recording, step: int, place: Point2, goal: Instance, height: float) -> bool:
     """Return whether a wall is between base and object, or between the object and a receptacle near it."""
     home, base = recording.home, recording.base_to_world(step)
-    x, y = to_rectangle(home, goal, np.array([place]))[0]
-    is_near = np.hypot(x - place[0], y - place[1]) <= BESIDE_IT
-    return is_wall_between(home, (base.x, base.y), place, height) or bool(
-        is_near and is_wall_between(home, place, (float(x), float(y)), height)
-    )
+    is_near = _distance(home, goal, place) <= BESIDE_IT
+    return is_wall_between(home, (base.x, base.y), place, height) or (is_near and _is_walled(home, goal, place, height))
 
 
 def _touched(recording: Recording, step: int) -> str | None:

@@ -64,11 +64,11 @@ def contact_not_counted(story: Story) -> Finding | None:
 
 
 def stopped_early(story: Story) -> Finding | None:
-    """The episode ended while the object lay on a goal receptacle, but not yet long enough."""
+    """The episode ended while the object was on a goal receptacle, but it had not yet lain there long enough."""
     release = story.release
-    if release is None or not story.is_placed or not 0 < release.rest_steps < REST_STEPS:
+    if release is None or not story.is_placed or not release.is_on_goal or release.rest_steps >= REST_STEPS:
         return None
-    words = f"{release.name} had lain on the goal for {release.rest_steps} of {REST_STEPS} steps at the end"
+    words = f"{release.name} had lain still on the goal for {release.rest_steps} of {REST_STEPS} steps at the end"
     return Finding(Cause.STOPPED_EARLY, story.last_step, release.place, words)
 
 

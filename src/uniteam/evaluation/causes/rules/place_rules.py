@@ -114,7 +114,7 @@ def beside(story: Story) -> Finding | None:
 def _missed(story: Story) -> Release | None:
     """Return the release of an object that does not lie on a goal receptacle in the end."""
     release = story.release if story.is_placed else None
-    return None if release is None or release.rest_steps > 0 else release
+    return None if release is None or release.is_on_goal else release
 
 
 def _found(cause: Cause, release: Release, words: str) -> Finding:

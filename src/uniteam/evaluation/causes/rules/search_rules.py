@@ -15,7 +15,12 @@ CLOSE = 1.0
 def not_recognised(story: Story) -> Finding | None:
     """It was in view, large enough to be found, and never believed to be what it is."""
     seen = _seen(story)
-    if _is_over(story) or not seen or any(target.recognised_at is not None for target in story.sought):
+    if (
+        not story.has_said
+        or _is_over(story)
+        or not seen
+        or any(target.recognised_at is not None for target in story.sought)
+    ):
         return None
     best = max(seen, key=lambda target: target.seen_for)
     taken = f"taken for {best.taken_for}" if best.taken_for else "taken for nothing"
@@ -24,11 +29,11 @@ def not_recognised(story: Story) -> Finding | None:
 
 
 def narrow_passage(story: Story) -> Finding | None:
-    """It got stuck, stopped, or did not get to what it had found, and the way there is narrow."""
+    """It got stuck, or did not get to what it had found, and the way there is narrow."""
     if _is_over(story) or story.way is None or story.way > NARROW or _was_close(story):
         return None
     still = _still(story)
-    if still is None and not story.measures.does_want_terminate and not _recognised(story):
+    if still is None and not _recognised(story):
         return None
     step, place = (still.first, still.place) if still else (story.last_step, story.end)
     words = f"the widest way from there to the {story.sought_words} is {story.way:.2f} m wide, and the base 0.60 m"
