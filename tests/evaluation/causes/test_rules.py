@@ -1,6 +1,7 @@
 """Each rule finds its cause in an episode that is told by hand, and not where the deciding fact is another."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -117,6 +118,16 @@ def test_every_rule_decides_an_episode_and_every_cause_but_that_without_a_record
 )
 def test_a_cause_is_not_found_where_its_deciding_fact_is_another(told: Story, not_this: Cause) -> None:
     assert decide(told).cause is not not_this
+
+
+def test_the_page_of_failures_has_every_cause_with_its_sentence_of_the_report() -> None:
+    page = (Path(__file__).parents[3] / "docs" / "failures.md").read_text()
+    table = page.partition("| cause |")[2].partition("\n\n")[0].splitlines()[2:]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in table]
+    assert {cause for cause, _, _ in rows} == {cause.value for cause in Cause}
+    assert {cause: sentence for cause, _, sentence in rows if sentence} == {
+        cause.value: sentence for cause, sentence in REPORT.items()
+    }
 
 
 def test_finding_says_where_and_when() -> None:
