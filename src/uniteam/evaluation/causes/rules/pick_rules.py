@@ -8,8 +8,7 @@ from uniteam.stretch import GRASP_RANGE
 
 def took_another(story: Story) -> Finding | None:
     """The gripper took what does not count."""
-    candidates = {target.name for target in story.objects}
-    wrong = [grasp for grasp in _in_vain(story) if grasp.took is not None and grasp.took not in candidates]
+    wrong = [grasp for grasp in _in_vain(story) if grasp.took is not None]
     return _found(Cause.WRONG_OBJECT, wrong[-1], f"took {wrong[-1].took}") if wrong else None
 
 

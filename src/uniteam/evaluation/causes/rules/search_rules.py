@@ -1,4 +1,7 @@
-"""Rules of what was not found, or not got to: the object, or the receptacle once something was taken."""
+"""Rules of what was not found, or not got to: the object, or the receptacle once something was taken.
+
+They are asked once no rule has found anything in a grasp, or in how the object was let go of.
+"""
 
 from uniteam.evaluation.causes.cause import Cause
 from uniteam.evaluation.causes.finding import Finding
@@ -15,12 +18,7 @@ CLOSE = 1.0
 def not_recognised(story: Story) -> Finding | None:
     """It was in view, large enough to be found, and never believed to be what it is."""
     seen = _seen(story)
-    if (
-        not story.has_said
-        or _is_over(story)
-        or not seen
-        or any(target.recognised_at is not None for target in story.sought)
-    ):
+    if not story.has_said or not seen or any(target.recognised_at is not None for target in story.sought):
         return None
     best = max(seen, key=lambda target: target.seen_for)
     taken = f"taken for {best.taken_for}" if best.taken_for else "taken for nothing"
@@ -30,7 +28,7 @@ def not_recognised(story: Story) -> Finding | None:
 
 def narrow_passage(story: Story) -> Finding | None:
     """It got stuck, or did not get to what it had found, and the way there is narrow."""
-    if _is_over(story) or story.way is None or story.way > NARROW or _was_close(story):
+    if story.way is None or story.way > NARROW or _was_close(story):
         return None
     still = _still(story)
     if still is None and not _recognised(story):
@@ -43,7 +41,7 @@ def narrow_passage(story: Story) -> Finding | None:
 def stuck(story: Story) -> Finding | None:
     """For very many steps the base did not get away from one place."""
     still = _still(story)
-    if _is_over(story) or still is None:
+    if still is None:
         return None
     words = f"within a metre for {still.steps} steps, to step {still.last}; something was in the way in {still.blocked}"
     return Finding(Cause.STUCK, still.first, still.place, words)
@@ -51,7 +49,7 @@ def stuck(story: Story) -> Finding | None:
 
 def gave_up(story: Story) -> Finding | None:
     """The agent stopped before it had the object, or with it in the gripper."""
-    if _is_over(story) or not story.measures.does_want_terminate:
+    if not story.measures.does_want_terminate:
         return None
     words = f"stopped after {story.measures.num_steps} steps in {story.state}: {story.last_words}"
     return Finding(Cause.GAVE_UP, story.last_step, story.end, words)
@@ -70,7 +68,7 @@ def receptacle_never_found(story: Story) -> Finding | None:
 def not_reached(story: Story) -> Finding | None:
     """What was found was known, and the base never came near."""
     known = _recognised(story)
-    if _is_over(story) or not known or _was_close(story):
+    if not known or _was_close(story):
         return None
     best = min(known, key=lambda target: target.nearest)
     words = (
@@ -79,13 +77,8 @@ def not_reached(story: Story) -> Finding | None:
     return Finding(Cause.NOT_REACHED, best.nearest_at, best.place, words)
 
 
-def _is_over(story: Story) -> bool:
-    """Whether the object was let go of, so that nothing was left to search."""
-    return story.is_placed
-
-
 def _never_seen(story: Story, cause: Cause) -> Finding | None:
-    if _is_over(story) or _seen(story) or _recognised(story):
+    if _seen(story) or _recognised(story):
         return None
     pixels = max((target.most_pixels for target in story.sought), default=0)
     words = f"no {story.sought_words} was in view with more than {pixels} pixels; ended in {story.state}"
