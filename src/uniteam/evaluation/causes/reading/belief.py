@@ -31,11 +31,11 @@ class Look:
     def name_of(self, instance: int) -> str:
         """Return what an instance of the home was believed to be; empty for nothing."""
         own = self.true == instance
-        labels, counts = np.unique(self.believed.instances[own], return_counts=True)
-        best = int(np.argmax(counts)) if len(counts) else 0
-        if not len(counts) or labels[best] < 0 or counts[best] < LEAST_SHARE * own.sum():
+        labels = self.believed.instances[own]
+        counts = np.bincount(labels[labels >= 0])
+        if not counts.size or counts.max() < LEAST_SHARE * own.sum():
             return ""
-        return self.believed.detections[labels[best]].name
+        return self.believed.detections[int(counts.argmax())].name
 
     def taken_for(self, category: str, names: tuple[str, ...]) -> str | None:
         """Return what most pixels of what was believed to be of a category are; None where nothing was.

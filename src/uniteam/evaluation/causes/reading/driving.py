@@ -1,6 +1,6 @@
 """Where the base went, where it did not get away, and how wide the way was that it did not take."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import cv2
 import numpy as np
@@ -10,7 +10,10 @@ from uniteam.evaluation.causes.story import Standstill
 from uniteam.evaluation.recording.recording import Recording
 from uniteam.geometry import Point2
 from uniteam.stretch import BASE_RADIUS
+from uniteam.world.homes.home import Home
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
+
+Pose = NDArray[np.float64]
 
 AWAY = 1.0
 """A base that is farther than this (m) has got away."""
@@ -46,15 +49,19 @@ def read_standstill(bases: NDArray[np.float64], blocked: Sequence[bool]) -> Stan
     return Standstill(first, last, (float(x), float(y)), sum(blocked[first : last + 1]))
 
 
-def width_of_way(recording: Recording, start: Point2, ends: Sequence[Point2]) -> float:
-    """Return the width (m) of the widest way at the end of an episode from a point to any of some others.
+def width_of_way(home: Home, poses: Mapping[str, Pose], start: Point2, ends: Sequence[Point2]) -> float:
+    """Return the width (m) of the widest way from a point to any of some others (m, world).
 
     How much room there is at its two ends is left out. It is 0 where there is no way at all, and 2.4 where it is as
     wide or wider.
+
+    Args:
+        home: with its furniture.
+        poses: (4, 4) where its objects are (world), by name; of one that is not named, where it was at first.
+        start: where the way begins.
+        ends: where it may end.
     """
-    final, held = recording.objects.at(len(recording.steps)), recording.steps[-1].held
-    poses = {name: pose for name, pose in final.items() if name != held}
-    floor = NavigableFloor(recording.home).with_moved(recording.home, poses)
+    floor = NavigableFloor(home).with_moved(home, poses)
     beginning, end = _around(floor, [start]), _around(floor, ends)
     low, high = 0.0, _WIDEST
     while high - low > _FINEST:

@@ -108,8 +108,11 @@ def _touches(recording: Recording, bases: NDArray[np.float64]) -> Iterator[Touch
 def _way(recording: Recording, bases: NDArray[np.float64], taken_at: int | None) -> float:
     episode = recording.episode
     sought = episode.objects if taken_at is None else episode.goal_receptacles
+    final, held = recording.objects.at(len(recording.steps)), recording.steps[-1].held
+    poses = {name: pose for name, pose in final.items() if name != held}
     x, y = bases[-1]
-    return width_of_way(recording, (float(x), float(y)), [point for c in sought for point in c.view_points])
+    ends = [point for candidate in sought for point in candidate.view_points]
+    return width_of_way(recording.home, poses, (float(x), float(y)), ends)
 
 
 def _moved_alone(recording: Recording) -> str | None:
