@@ -1,5 +1,6 @@
 """Short recordings of real episodes, and what was seen and decided while they were made."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -59,6 +60,11 @@ class Played:
 
 def record(path: Path, agent: Agent, spec: AgentSpec, episode: int = 5) -> Played:
     """Record an agent on an episode of minival, under another agent's name."""
+    return record_made(path, lambda environment: agent, spec, episode)
+
+
+def record_made(path: Path, make: Callable[[Environment], Agent], spec: AgentSpec, episode: int = 5) -> Played:
+    """Record an agent that is made of the environment, under another agent's name."""
     split = load_split("minival")
     chosen = split.episodes[episode]
     environment = Environment(split.homes[chosen.home], chosen, give_truth=spec.needs_truth)
@@ -70,6 +76,6 @@ def record(path: Path, agent: Agent, spec: AgentSpec, episode: int = 5) -> Playe
         steps.append(step)
         recorder(step)
 
-    result = play_episode(environment, agent, observe)
+    result = play_episode(environment, make(environment), observe)
     recorder.write(path, result)
     return Played(path, steps, result, environment)

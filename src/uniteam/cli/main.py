@@ -43,6 +43,10 @@ COMMANDS = {
         "compare agents on the episodes that all have played, with intervals and tests of the paired differences",
         "uniteam compare runs/val-truth-half-challenge:baseline runs/val-truth-half-challenge:uniteam",
     ),
+    "explain": Command(
+        "say why each episode failed, and count the causes from all episodes down to overall success",
+        "uniteam explain runs/val-truth-half-challenge --figure why.png",
+    ),
     "merge": Command(
         "make one run of the shards of a run",
         "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
@@ -50,6 +54,10 @@ COMMANDS = {
     "ablate": Command(
         "measure what each improvement is worth, alone, taken away and one after the other",
         "uniteam ablate --split val --perception truth --episodes 100",
+    ),
+    "swap": Command(
+        "replace one module at a time by the truth, and count the failures that this heals",
+        "uniteam swap --split val --agents uniteam-plus --modules pick place --episodes 100",
     ),
     "leaderboard": Command(
         "score results anew from the line of each episode, by style and by seen and unseen",

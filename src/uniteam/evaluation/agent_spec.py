@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from uniteam.errors import InvalidInputError
+from uniteam.evaluation.truth_parts.part_agent import TRUE_PICK, TRUE_PLACE
 from uniteam.interface import Agent
 from uniteam.mind.agents.registry import (
     AGENTS,
@@ -33,6 +34,8 @@ class _OracleFactory:
 
 
 AGENTS.register(ORACLE, _OracleFactory(), module=__name__)
+AGENTS.register("true-pick", TRUE_PICK, module=__name__)
+AGENTS.register("true-place", TRUE_PLACE, module=__name__)
 
 
 @dataclass(frozen=True)

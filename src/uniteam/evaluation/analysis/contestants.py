@@ -15,11 +15,13 @@ class Contestant:
 
     Attributes:
         label: by which tables call it, unlike all others'.
+        agent: its label in the run.
         run: in which it played.
         results: by episode.
     """
 
     label: str
+    agent: str
     run: RunFolder
     results: Mapping[str, EpisodeResult]
 
@@ -40,7 +42,7 @@ def contestants_named(names: Iterable[str]) -> list[Contestant]:
         chosen |= {(directory, one): None for one in ([agent] if agent else run.results)}
     agents = [agent for _, agent in chosen]
     return [
-        Contestant(agent if agents.count(agent) == 1 else f"{at}: {agent}", runs[at], runs[at].results[agent])
+        Contestant(agent if agents.count(agent) == 1 else f"{at}: {agent}", agent, runs[at], runs[at].results[agent])
         for at, agent in chosen
     ]
 
