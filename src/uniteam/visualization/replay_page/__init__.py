@@ -1,0 +1,1 @@
+"""The replay of recordings as one page that a browser opens from the disk, without a network."""
