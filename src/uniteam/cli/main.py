@@ -71,6 +71,10 @@ COMMANDS = {
         "play one episode, narrated, and film it",
         "uniteam run --agent uniteam-plus --split minival --episode 0 --video episode.mp4",
     ),
+    "replay": Command(
+        "make one page of a recording, or of two of the same episode beside each other, for any browser",
+        "uniteam replay episode.zip --out episode.html",
+    ),
     "replay-check": Command(
         "ask an agent again upon what a recording saw, and name the first step that differs",
         "uniteam replay-check episode.zip --without edge_margin",

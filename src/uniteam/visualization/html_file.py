@@ -41,7 +41,9 @@ def html_file(parts: PageParts, title: str, data: Any) -> str:
     own, shared = files(parts.package), files(_SHARED)
     style = "\n".join([_text(shared, "theme.css"), *(_text(own, name) for name in parts.styles)])
     code = "\n".join([_text(shared, "theme.js"), *(_text(own, name) for name in parts.scripts)])
-    script = f'(() => {{\n"use strict";\nconst DATA = JSON.parse(document.getElementById("data").textContent);\n{code}}})();'
+    script = (
+        f'(() => {{\n"use strict";\nconst DATA = JSON.parse(document.getElementById("data").textContent);\n{code}}})();'
+    )
     return _PAGE.format(
         title=html.escape(title),
         policy=_policy(style, script),

@@ -1,5 +1,6 @@
 """Where two runs of an episode part."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from uniteam.errors import InvalidInputError
@@ -37,7 +38,7 @@ def first_parting(one: Recording, other: Recording) -> Parting:
     )
 
 
-def _first(mine: list[object], others: list[object]) -> int | None:
+def _first(mine: Sequence[object], others: Sequence[object]) -> int | None:
     """Return the first index at which two lists differ, the shorter one's end being a difference."""
     both = min(len(mine), len(others))
     different = (k for k in range(both) if mine[k] != others[k])

@@ -89,7 +89,7 @@ def _put(picture: Image, area: Area, content: Image) -> None:
 def _segments(frame: RecordedFrame, recording: Recording, names: "_Names") -> Image:
     if frame.segmentation is None:
         names.add([], 1, 1)
-        return blank(frame.rgb.shape[1], frame.rgb.shape[0])
+        return np.asarray(cv2.cvtColor(cv2.cvtColor(frame.rgb, cv2.COLOR_RGB2GRAY), cv2.COLOR_GRAY2RGB), np.uint8)
     picture, segments = draw_segments(frame.rgb, frame.segmentation, recording.episode.instruction, 1.0)
     names.add(segments, frame.rgb.shape[1], frame.rgb.shape[0])
     return picture

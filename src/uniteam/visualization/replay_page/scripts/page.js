@@ -12,11 +12,12 @@ const sayTask = () => {
 const sayParting = () => {
   if (!DATA.parting) return;
   const { action, decision } = DATA.parting;
-  const words = action === null ? "Both do the same to the end." : `They first do different things at step ${action}.`;
-  const earlier = decision !== null && decision !== action ? ` Words differ from step ${decision}.` : "";
-  find("#parting").textContent = words + earlier;
-  find("#parting").hidden = false;
-  find("#to-parting").hidden = action === null && decision === null;
+  const button = find("#parting");
+  const doing = (run) => (action < run.last ? run.diary.action(action) : "nothing more");
+  if (action === null) button.append("Both do the same to the end.");
+  else button.append("First other action at ", make("b", "", `step ${action}`), `: ${runs.map(doing).join(" | ")}`);
+  if (decision !== null && decision !== action) button.append(`; other words from step ${decision}`);
+  button.hidden = false;
 };
 const parting = DATA.parting && (DATA.parting.action ?? DATA.parting.decision);
 
@@ -28,23 +29,23 @@ const fillSpeeds = () => {
     find("#speeds").append(label);
   }
 };
-const fillLegend = () => {
+const fillLegend = (legend) => {
   for (const [name, words] of LEGEND) {
     const line = make("li"), swatch = make("i");
     swatch.style.background = `var(${name})`;
     line.append(swatch, words);
-    find("#legend").append(line);
+    legend.append(line);
   }
 };
 
 const start = async () => {
   sayTask();
-  sayParting();
   fillSpeeds();
-  fillLegend();
   main.classList.toggle("two", runs.length === 2);
   main.append(...runs.map((run) => run.root));
+  for (const legend of document.querySelectorAll(".legend")) fillLegend(legend);
   await Promise.all(runs.map((run) => run.open()));
+  sayParting();
   if (runs.length === 1) find(".story", main).open = true;
   find("#last").textContent = last;
 
@@ -89,14 +90,15 @@ const start = async () => {
     player.speed = Number(radio.value);
   };
   const enlarge = (name) => {
-    main.dataset.large = main.dataset.large === name ? "" : name;
+    if (main.dataset.large === name) delete main.dataset.large;
+    else main.dataset.large = name;
     drawAgain();
   };
   const toggleTruth = () => { truth.checked = !truth.checked; drawAgain(); };
 
   const clicks = {
     play: () => player.toggle(), back: () => jump(player.wanted - 1), on: () => jump(player.wanted + 1),
-    before: toNews.before, after: toNews.after, help: () => find("#keys").showModal(), "to-parting": () => jump(parting),
+    before: toNews.before, after: toNews.after, help: () => find("#keys").showModal(), parting: () => jump(parting ?? last),
   };
   for (const [name, act] of Object.entries(clicks)) find(`#${name}`).addEventListener("click", act);
   for (const radio of radios) radio.addEventListener("change", () => setSpeed(radios.indexOf(radio)));
@@ -130,7 +132,10 @@ const start = async () => {
 
   whenThemed.push(() => { for (const run of runs) run.map?.paint(); drawAgain(); });
   new ResizeObserver(drawAgain).observe(main);
-  new ResizeObserver(drawAgain).observe(find("#timeline"));
+  new ResizeObserver(() => {
+    main.style.setProperty("--controls-height", `${find(".controls").offsetHeight}px`);
+    drawAgain();
+  }).observe(find(".controls"));
   const fromAddress = () => Number(location.hash.match(/^#step=(\d+)$/)?.[1] ?? 0);
   addEventListener("hashchange", () => player.goTo(fromAddress()));
   timeline.draw();

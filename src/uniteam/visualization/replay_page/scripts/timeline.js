@@ -1,5 +1,5 @@
 // The line of time: a lane for each run with its states, and what happened above it.
-const LANE = 44, BAND = 18, AXIS = 18, SIDE = 10;
+const BAND = 18, NEWS = 22, NAME = 15, AXIS = 18, SIDE = 10;
 
 class Timeline {
   constructor(root, runs, last, parting) {
@@ -7,7 +7,8 @@ class Timeline {
     this.canvas = find("canvas", root);
     this.head = find(".playhead", root);
     this.tip = find(".tip", root);
-    this.canvas.style.height = `${runs.length * LANE + AXIS}px`;
+    this.lane = BAND + NEWS + (runs.length > 1 ? NAME : 4);
+    this.canvas.style.height = `${runs.length * this.lane + AXIS}px`;
     root.setAttribute("aria-valuemax", last);
     for (const name of ["pointerdown", "pointermove", "pointerleave"]) root.addEventListener(name, (event) => this.follow(event));
   }
@@ -47,16 +48,18 @@ class Timeline {
     const screen = fitted(this.canvas);
     this.width = screen.width;
     screen.context.clearRect(0, 0, screen.width, screen.height);
-    this.runs.forEach((run, lane) => this.drawLane(screen.context, run, lane * LANE));
-    this.drawAxis(screen.context, this.runs.length * LANE);
+    this.runs.forEach((run, lane) => this.drawLane(screen.context, run, lane * this.lane));
+    this.drawAxis(screen.context, this.runs.length * this.lane);
     if (this.parting) this.drawParting(screen);
   }
 
   drawLane(context, run, top) {
-    const band = top + LANE - BAND - 4;
+    const band = top + this.lane - BAND - 4;
     context.font = "600 11px system-ui, sans-serif";
     context.textBaseline = "middle";
     context.textAlign = "left";
+    context.fillStyle = colour(`--run-${run.number}`);
+    if (this.runs.length > 1) context.fillText(run.data.agent, this.x(0), top + 9);
     for (const [first, past] of run.diary.stretches()) {
       const name = run.diary.state(first), { fill, text } = stateColours(name);
       const left = this.x(first), wide = Math.max(this.x(past) - left - 1, 1);

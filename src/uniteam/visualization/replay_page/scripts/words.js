@@ -4,7 +4,7 @@ const plain = (name) => {
   return words.charAt(0).toUpperCase() + words.slice(1);
 };
 // A state has one colour in all runs and both themes.
-const HUES = [204, 38, 150, 322, 262, 92, 12, 178, 288, 58, 230, 345];
+const HUES = [204, 38, 168, 322, 262, 92, 190, 288, 58, 230, 130, 345];
 const stateNames = [];
 const stateColours = (name) => {
   if (!stateNames.includes(name)) stateNames.push(name);
