@@ -13,20 +13,19 @@ from uniteam.files import try_output, write_whole
 from uniteam.visualization.replay_page.page import replay_page
 
 SUFFIX = ".html"
+USAGE = "FILE [FILE] | RUN EPISODE [RUN]"
 
 
 def replay(
-    what: Annotated[
-        tuple[str, ...], tyro.conf.Positional, tyro.conf.arg(metavar="FILE [FILE] | RUN EPISODE [RUN]")
-    ] = (),
+    what: Annotated[tuple[str, ...], tyro.conf.Positional, tyro.conf.arg(metavar=USAGE)] = (),
     out: Annotated[Path | None, tyro.conf.arg(metavar=f"FILE{SUFFIX}")] = None,
 ) -> None:
     """Make one page of a recording, or of two of the same episode beside each other: it opens in any browser, offline.
 
     Args:
         what: One recording or two, as `uniteam evaluate --record` and `uniteam run --record` write them; or the folder
-            of a run, the id of an episode, and where it is to be compared with another run, that one's folder. RUN:AGENT
-            names one agent of a run; of two agents both are shown.
+            of a run, the id of an episode, and where it is to be compared with another run, that one's folder.
+            RUN:AGENT names one agent of a run; of two agents both are shown.
         out: The page to write; by default it has the name of the first recording, and lies in this folder.
     """
     files = recordings_named(what)
