@@ -11,6 +11,7 @@ from importlib.resources.abc import Traversable
 from typing import Any
 
 _SHARED = "uniteam.visualization.page_parts"
+_READ_DATA = 'const DATA = JSON.parse(document.getElementById("data").textContent);'
 
 
 @dataclass(frozen=True)
@@ -41,9 +42,7 @@ def html_file(parts: PageParts, title: str, data: Any) -> str:
     own, shared = files(parts.package), files(_SHARED)
     style = "\n".join([_text(shared, "theme.css"), *(_text(own, name) for name in parts.styles)])
     code = "\n".join([_text(shared, "theme.js"), *(_text(own, name) for name in parts.scripts)])
-    script = (
-        f'(() => {{\n"use strict";\nconst DATA = JSON.parse(document.getElementById("data").textContent);\n{code}}})();'
-    )
+    script = f'(() => {{\n"use strict";\n{_READ_DATA}\n{code}}})();'
     return _PAGE.format(
         title=html.escape(title),
         policy=_policy(style, script),

@@ -7,9 +7,7 @@ from uniteam.errors import InvalidInputError, UnknownNameError
 from uniteam.evaluation.analysis.contestants import Contestant, contestants_named
 from uniteam.evaluation.recording.order import RECORDINGS, SUFFIX, recording_path
 
-_USAGE = (
-    "give FILE.zip or two of them, or RUN EPISODE, and another RUN to compare with; RUN:AGENT is one agent of a run"
-)
+_USAGE = "give one FILE.zip or two, or RUN EPISODE and perhaps another RUN; RUN:AGENT is one agent of a run"
 
 
 def recordings_named(words: Sequence[str]) -> list[Path]:
@@ -30,7 +28,8 @@ def recordings_named(words: Sequence[str]) -> list[Path]:
     found = [path for name in (run, *others) for path in _of_run(name, episode)]
     if len(found) > 2:
         raise InvalidInputError(
-            f"{len(found)} agents have a recording of '{episode}' there, and a page shows two at most; name them as RUN:AGENT"
+            f"{len(found)} agents have a recording of '{episode}' there, and a page shows two at most; "
+            "name them as RUN:AGENT"
         )
     return found
 
@@ -43,8 +42,8 @@ def _of_run(name: str, episode: str) -> list[Path]:
     found = [path for agent in agents if (path := recording_of(agent, episode)).is_file()]
     if not found:
         raise InvalidInputError(
-            f"'{name}' has no recording of '{episode}'; play it with 'uniteam evaluate --record all' into a new folder, "
-            "or with 'uniteam run --record FILE'"
+            f"'{name}' has no recording of '{episode}'; play it with 'uniteam evaluate --record all' into a new "
+            "folder, or with 'uniteam run --record FILE'"
         )
     return found
 

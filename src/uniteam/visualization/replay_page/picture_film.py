@@ -18,18 +18,18 @@ from uniteam.visualization.segmentation_view import NamedSegment, draw_segments
 CAMERA_HEIGHT = 320
 """Of the camera's picture in the film (px)."""
 
-WATCHED_SIZE = 480
+WATCHED_SIZE = 400
 """Width and height of the third person's (px)."""
 
 _FILM = replace(
     COLOUR,
     options={
         "preset": "veryfast",
-        "crf": "26",
-        "maxrate": "400k",
-        "bufsize": "1600k",
+        "crf": "28",
+        "maxrate": "240k",
+        "bufsize": "960k",
         # Key frames are near each other, for scrubbing; the colours are told, or browsers guess by the film's size.
-        "x264-params": "keyint=20:colorprim=smpte170m:transfer=smpte170m:colormatrix=smpte170m",
+        "x264-params": "keyint=12:colorprim=smpte170m:transfer=smpte170m:colormatrix=smpte170m",
     },
 )
 
@@ -46,7 +46,7 @@ class _Layout:
     def size(self) -> tuple[int, int]:
         """Width and height of the whole (px), even."""
         right = max(area.left + area.width for area in (self.segmentation, self.third_person))
-        return right, self.third_person.top + self.third_person.height
+        return right + right % 2, self.third_person.top + self.third_person.height
 
 
 def film_data(recording: Recording, advance: Callable[[], None]) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 // Arrays as they were packed: base64 around gzip around numbers.
 const bytesOf = (letters) => {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(letters);
   const text = atob(letters);
   const bytes = new Uint8Array(text.length);
   for (let k = 0; k < text.length; k++) bytes[k] = text.charCodeAt(k);

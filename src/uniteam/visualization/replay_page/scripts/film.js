@@ -57,7 +57,7 @@ class SegmentNames {
 
   // The foremost come last: they are written first, and what would cover them is left out.
   draw(moment, { context, width, height }) {
-    const taken = [];
+    const taken = [[4, 6, 84]]; // the caption
     context.font = "600 11px system-ui, sans-serif";
     context.textBaseline = "middle";
     context.textAlign = "left";

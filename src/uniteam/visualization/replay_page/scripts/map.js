@@ -14,13 +14,14 @@ class RobotMap {
     map.picture = document.createElement("canvas");
     Object.assign(map.picture, { width: map.columns, height: map.rows });
     map.pixels = new ImageData(map.columns, map.rows);
-    map.view = map.wholeView();
+    map.box = map.wholeBox();
+    map.view = viewOf([map]);
     map.paint();
     return map;
   }
 
   // What is ever known, and wherever the robot ever is: the map does not jump while it grows.
-  wholeView() {
+  wholeBox() {
     let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
     const take = (x, y) => {
       [left, right] = [Math.min(left, x), Math.max(right, x)];
@@ -31,8 +32,7 @@ class RobotMap {
       take(x0 + (cell % this.columns) * this.cellSize, y0 + Math.floor(cell / this.columns) * this.cellSize);
     });
     for (let k = 0; k < this.poses.length; k += 4) take(this.poses[k], this.poses[k + 1]);
-    const size = Math.max(right - left, high - low, SMALLEST_VIEW - 2 * MARGIN) + 2 * MARGIN;
-    return { x: (left + right) / 2, y: (low + high) / 2, size };
+    return [left, right, low, high];
   }
 
   eachChange(first, past, change) {
@@ -156,6 +156,15 @@ class RobotMap {
   }
 }
 
+// The square that shows all of some maps.
+const viewOf = (maps) => {
+  const extreme = (k, choose) => choose(...maps.map(({ box }) => box[k]));
+  const [left, right] = [extreme(0, Math.min), extreme(1, Math.max)];
+  const [low, high] = [extreme(2, Math.min), extreme(3, Math.max)];
+  const size = Math.max(right - left, high - low, SMALLEST_VIEW - 2 * MARGIN) + 2 * MARGIN;
+  return { x: (left + right) / 2, y: (low + high) / 2, size };
+};
+
 const drawRing = ({ context, at }, x, y, fill) => {
   const [u, v] = at(x, y);
   context.beginPath();
@@ -185,5 +194,5 @@ const drawScale = ({ context, scale }, width, height) => {
 const LEGEND = [
   ["--map-0", "unknown"], ["--map-1", "free"], ["--map-2", "visited"], ["--map-3", "obstacle"], ["--map-4", "collision"],
   ["--map-5", "frontier"], ["--map-6", "start receptacle"], ["--map-7", "goal receptacle"], ["--map-8", "object"],
-  ["--map-path", "path, and the point it steers for"], ["--map-goal", "goal"], ["--map-robot", "robot, and where it looks"],
+  ["--map-path", "path"], ["--map-goal", "goal"], ["--map-robot", "robot, its view"],
 ];

@@ -46,6 +46,8 @@ const start = async () => {
   for (const legend of document.querySelectorAll(".legend")) fillLegend(legend);
   await Promise.all(runs.map((run) => run.open()));
   sayParting();
+  const maps = runs.flatMap((run) => run.map ?? []);
+  for (const map of maps) map.view = viewOf(maps);
   if (runs.length === 1) find(".story", main).open = true;
   find("#last").textContent = last;
 

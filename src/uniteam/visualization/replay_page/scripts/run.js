@@ -19,7 +19,7 @@ class Run {
     const chip = find(".chip", this.root);
     chip.textContent = success ? "success" : "failed";
     chip.classList.toggle("good", success);
-    find(".failure", this.root).textContent = failure;
+    find(".failure", this.root).textContent = find(".failure", this.root).title = failure;
     find(".about", this.root).textContent =
       `${about.split} · ${about.episode} · perception ${about.perception} · ${about.camera}-size camera · uniteam ${about.uniteam}`;
   }
