@@ -63,6 +63,10 @@ COMMANDS = {
         "score results anew from the line of each episode, by style and by seen and unseen",
         "uniteam leaderboard results/val-truth-half-challenge",
     ),
+    "report": Command(
+        "make one page of runs: tables, success by tag, every episode with why it failed and its replay",
+        "uniteam report runs/val-truth-half-challenge --out report.html",
+    ),
     "dial": Command(
         "play a split at several levels of perception's noise and draw success against noise",
         "uniteam dial --split minival --agents baseline uniteam-plus --levels 0 0.5 1",
