@@ -2,11 +2,12 @@
 
 import logging
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from uniteam.errors import UniteamError
-from uniteam.evaluation.analysis.breakdown import Groups, grouped
+from uniteam.evaluation.analysis.breakdown import UNSEEN, Groups, grouped
 from uniteam.evaluation.analysis.contestants import Contestant
 from uniteam.evaluation.analysis.likeness import differences_of
 from uniteam.evaluation.analysis.table import COLLISIONS, PERCENTAGES, STEPS
@@ -17,7 +18,7 @@ from uniteam.world.task.episode import Episode
 from uniteam.world.task.splits import load_split
 
 TAGS = {
-    "unseen": "Seen and unseen",
+    UNSEEN: "Seen and unseen",
     "style": "Style of the home",
     "shortest_path": "Shortest path (m)",
     "least_clearance": "Least clearance on it (m)",
@@ -32,6 +33,15 @@ _log = logging.getLogger(__name__)
 def agents_data(contestants: Sequence[Contestant]) -> list[dict[str, Any]]:
     """Return each agent's row of the challenge's table: means with their 95 % intervals."""
     return [{"label": c.label, **_row(summarize(list(c.results.values())))} for c in contestants]
+
+
+def shared_data(contestants: Sequence[Contestant]) -> list[dict[str, Any]]:
+    """Return the rows over the episodes that all agents have played; none where those are all that any has, or none."""
+    shared = set.intersection(*(set(c.results) for c in contestants))
+    if not shared or all(len(c.results) == len(shared) for c in contestants):
+        return []
+    own = [replace(c, results={name: c.results[name] for name in sorted(shared)}) for c in contestants]
+    return agents_data(own)
 
 
 def _row(summary: Summary) -> dict[str, Any]:
@@ -77,7 +87,9 @@ def tags_data(contestants: Sequence[Contestant], episodes: Sequence[Episode]) ->
 def _groups(contestants: Sequence[Contestant], groups: Groups, tag: str) -> list[dict[str, Any]]:
     return [
         {
-            "heading": heading.removeprefix(f"{tag.replace('_', ' ')} ").replace("_", " "),
+            "heading": heading.removeprefix(f"{tag.replace('_', ' ')} ").replace("_", " ")
+            if tag != UNSEEN
+            else heading,
             "agents": [_success([c.results[e.id] for e in episodes if e.id in c.results]) for c in contestants],
         }
         for heading, episodes in groups.items()

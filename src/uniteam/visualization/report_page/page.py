@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from uniteam.evaluation.analysis.contestants import Contestant
 from uniteam.visualization.captions import MILESTONES
 from uniteam.visualization.html_file import PageParts, html_file
-from uniteam.visualization.report_page.agents import agents_data, tagged_episodes, tags_data, told
+from uniteam.visualization.report_page.agents import agents_data, shared_data, tagged_episodes, tags_data, told
 from uniteam.visualization.report_page.attempts import LinkOf, attempts_data
 
 _PARTS = PageParts(
@@ -33,6 +33,7 @@ def report_page(contestants: Sequence[Contestant], link_of: LinkOf) -> str:
         "runs": [str(run.directory) for run in runs],
         "phases": list(MILESTONES.values()),
         "agents": agents_data(contestants),
+        "shared": shared_data(contestants),
         "tags": tags_data(contestants, episodes),
         "attempts": attempts_data(contestants, {episode.id: episode for episode in episodes}, link_of),
     }

@@ -36,19 +36,19 @@ const agentName = (number) => {
   return name;
 };
 
-const fillAgents = () => {
-  const headings = Object.keys(DATA.agents[0].cells), row = make("tr");
+const fillAgents = (table, agents) => {
+  const headings = Object.keys(agents[0].cells), row = make("tr");
   const head = (words) => Object.assign(make("th", "", words), { scope: "col" });
   row.append(head("agent"), head("overall"), ...headings.map(head), head("episodes"));
-  find("#agents thead").append(row);
-  DATA.agents.forEach(({ cells, episodes, crashed, label }, number) => {
+  find("thead", table).append(row);
+  agents.forEach(({ cells, episodes, crashed, label }, number) => {
     const line = make("tr"), name = Object.assign(make("th"), { scope: "row" }), bar = make("td", "bar-cell");
     name.append(agentName(number));
     bar.append(intervalBar(cells.Overall, number, `${label}, overall success: `));
     const count = make("td", "figure number");
     count.append(make("b", "", String(episodes)), make("span", "bad", crashed ? `${crashed} crashed` : ""));
     line.append(name, bar, ...headings.map((heading) => figureCell(heading, cells[heading])), count);
-    find("#agents tbody").append(line);
+    find("tbody", table).append(line);
   });
 };
 

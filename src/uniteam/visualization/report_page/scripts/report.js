@@ -20,7 +20,9 @@ const fillHead = () => {
 find("#about").textContent = Object.entries(DATA.about).map(([name, value]) => `${name} ${value}`).join(" · ");
 find("#unlike").hidden = DATA.unlike.length === 0;
 find("#unlike").textContent = `Unlike runs, so that differences are not the agents' alone: ${DATA.unlike.join("; ")}.`;
-fillAgents();
+fillAgents(find("#agents"), DATA.agents);
+find("#shared-part").hidden = DATA.shared.length === 0;
+if (DATA.shared.length) fillAgents(find("#shared"), DATA.shared);
 fillTags();
 fillHead();
 find("#filters").append(...FILTERS.map((filter) => makeFilter(filter, choose)), searchField(choose));
