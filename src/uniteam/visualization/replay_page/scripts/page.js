@@ -48,7 +48,7 @@ const start = async () => {
   sayParting();
   const maps = runs.flatMap((run) => run.map ?? []);
   for (const map of maps) map.view = viewOf(maps);
-  if (runs.length === 1) find(".story", main).open = true;
+  for (const story of document.querySelectorAll(".story")) story.open = runs.length === 1 || innerWidth > 760;
   find("#last").textContent = last;
 
   const timeline = new Timeline(find("#timeline"), runs, last, parting);

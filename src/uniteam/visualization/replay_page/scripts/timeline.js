@@ -97,8 +97,9 @@ class Timeline {
     context.fillStyle = context.strokeStyle = colour("--soft");
     for (let step = 0; step <= this.last; step += apart) {
       context.fillRect(Math.round(this.x(step)), top - 1, 1, 4);
-      context.textAlign = step === 0 ? "left" : "center";
-      context.fillText(String(step), step === 0 ? this.x(0) - 3 : this.x(step), top + 5);
+      const isLast = this.x(step) > this.width - 24;
+      context.textAlign = step === 0 ? "left" : isLast ? "right" : "center";
+      context.fillText(String(step), this.x(step) + (step === 0 ? -3 : isLast ? 3 : 0), top + 5);
     }
   }
 
