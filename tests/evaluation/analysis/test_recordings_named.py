@@ -35,7 +35,7 @@ def test_a_run_and_an_episode_are_the_recordings_of_its_agents(tmp_path: Path) -
 def test_what_names_none_or_too_many_is_answered_with_what_to_do(tmp_path: Path) -> None:
     run = run_with_recordings(tmp_path / "run", "one", "two")
     other = run_with_recordings(tmp_path / "other", "three")
-    with pytest.raises(InvalidInputError, match="give one FILE.zip or two"):
+    with pytest.raises(InvalidInputError, match=r"give one FILE\.zip or two"):
         recordings_named([])
     with pytest.raises(InvalidInputError, match="3 agents have a recording of 'e000'"):
         recordings_named([str(run), "e000", str(other)])
