@@ -94,6 +94,9 @@ def test_two_runs_part_where_their_robots_do_different_things(tmp_path: Path) ->
     assert first_parting(one, other) == Parting(2, 2)
     shorter = recited(tmp_path / "shorter.zip", (LEFT,))
     assert first_parting(one, shorter) == Parting(1, 1)
+    crashed = read_recording(one.path)
+    crashed.steps = crashed.steps[:2]
+    assert first_parting(one, crashed) == first_parting(crashed, one) == Parting(2, 2)
     stranger = recited(tmp_path / "stranger.zip", (LEFT,), episode=6)
     with pytest.raises(InvalidInputError, match="two recordings of the same episode"):
         first_parting(one, stranger)
