@@ -18,6 +18,7 @@ VARIABLE = "NUMBA_CACHE_DIR"
 THREADS = "NUMBA_NUM_THREADS"
 
 SOURCES = (
+    "evaluation/recording/truth_track.py",
     "mind/manipulation/place/around_samples.py",
     "mind/mapping/block_projection.py",
     "mind/mapping/clearing.py",
@@ -29,6 +30,7 @@ SOURCES = (
     "world/oracle/true_paths.py",
     "world/rendering/kernels/culling.py",
     "world/rendering/kernels/lighting.py",
+    "world/rendering/kernels/measuring.py",
     "world/rendering/kernels/rasteriser.py",
     "world/rendering/kernels/scene_buffers.py",
     "world/rendering/kernels/shading.py",
