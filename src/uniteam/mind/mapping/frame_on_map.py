@@ -37,6 +37,5 @@ def receptacle_pixels(
     camera, is_start = observation.camera, np.append(scores[:, ClassRole.START_RECEPTACLE] > 0, False)
     rows, columns = np.nonzero(is_start[segmentation.instances] & (observation.depth > 0))
     depth = observation.depth[rows, columns].astype(np.float64)
-    rays = np.stack([(columns - camera.cx) / camera.fx, (rows - camera.cy) / camera.fy, np.ones(len(rows))], axis=-1)
-    points = transform_points(observation.camera_to_start, rays * depth[:, None])
+    points = transform_points(observation.camera_to_start, camera.unproject_pixels(rows, columns, depth))
     return np.column_stack([points[:, :2], depth / camera.fx])

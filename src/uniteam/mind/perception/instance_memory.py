@@ -8,22 +8,20 @@ hamper does not make it one.
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import Point3, transform_points
+from uniteam.geometry import Point3, grain_keys, transform_points
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.segments import change_detections
+from uniteam.mind.perception.vocabulary import class_names
 
 Remember = Callable[[Segmentation, Observation, Instruction], Segmentation]
 """From what one frame shows to what is believed of it after all that came before."""
 
 GRAIN = 0.06
 """m; side of the grains in which an instance is kept."""
-_BITS = 21
-"""Of a grain's place along an axis: three of them make one key of 63 bits."""
 _LEAST_SCORE = 1e-3
 _VIEW_DISTANCE, _VIEW_ANGLE = 0.5, np.radians(30.0)
 """A camera that has moved or turned around an instance by less has the same view of it."""
@@ -100,18 +98,25 @@ class _Memory:
         self._instances: list[_Instance] = []
 
     def __call__(self, segmentation: Segmentation, observation: Observation, instruction: Instruction) -> Segmentation:
-        """Return the segmentation with the scores that all views of its detections together give."""
-        camera = observation.camera_to_start[:3, 3]
-        points = _points_of(segmentation, observation, self._config.most_points)
-        changed: list[Detection | None] = []
-        for detection, own in zip(segmentation.detections, points, strict=True):
-            if len(own) == 0:
-                changed.append(detection)
-                continue
-            instance = self._instance_of(detection, _seen(own))
-            _add_view(instance, detection, (camera - own.mean(axis=0))[:2])
-            changed.append(self._believed(instance, detection))
-        return change_detections(segmentation, changed)
+        """Return the segmentation with the scores that all views of what may be asked for together give."""
+        asked = set(class_names(instruction).values())
+        believed = [
+            self._believed(detection, observation, segmentation.instances == index)
+            if any(name in asked for name, _ in detection.candidates)
+            else detection
+            for index, detection in enumerate(segmentation.detections)
+        ]
+        return change_detections(segmentation, believed)
+
+    def _believed(self, detection: Detection, observation: Observation, mask: NDArray[np.bool_]) -> Detection:
+        """Return a detection, which shows the pixels of a mask, with what is believed of its instance."""
+        points = _points(observation, mask, self._config.most_points)
+        if len(points) == 0:
+            return detection
+        instance = self._instance_of(detection, _seen(points))
+        _add_view(instance, detection, (observation.camera_to_start[:3, 3] - points.mean(axis=0))[:2])
+        scores = [(name, self._belief(instance, name)) for name, _ in detection.candidates]
+        return Detection(tuple(sorted(scores, key=lambda pair: -pair[1])), detection.embedding)
 
     def _instance_of(self, detection: Detection, seen: _Instance) -> _Instance:
         """Return the known instance that a detection shows most of, with its grains added, or a new one."""
@@ -124,10 +129,6 @@ class _Memory:
         best.take(seen)
         return best
 
-    def _believed(self, instance: _Instance, detection: Detection) -> Detection:
-        scores = [(name, self._belief(instance, name)) for name, _ in detection.candidates]
-        return Detection(tuple(sorted(scores, key=lambda pair: -pair[1])), detection.embedding)
-
     def _belief(self, instance: _Instance, name: str) -> float:
         """Return how probable a name is: n views that agree weigh as the root of n that are independent."""
         prior = _logit(self._config.prior)
@@ -135,33 +136,19 @@ class _Memory:
         return float(1.0 / (1.0 + np.exp(-(prior + sum(evidence) / np.sqrt(len(evidence))))))
 
 
-def _points_of(segmentation: Segmentation, observation: Observation, most: int) -> list[NDArray[np.float64]]:
-    """Return the (N, 3) points (m, start frame) of each detection, evenly thinned to at most so many."""
-    camera, depth = observation.camera, observation.depth
-    labels = np.where(depth > 0, segmentation.instances, -1).ravel()
-    order = np.argsort(labels, kind="stable")
-    ends = np.searchsorted(labels[order], np.arange(-1, len(segmentation.detections)), side="right")
-    found = []
-    for first, last in pairwise(ends):
-        pixels = order[first : last : max(1, -(-(last - first) // most))]
-        rows, columns = np.divmod(pixels, camera.width)
-        z = depth[rows, columns].astype(np.float64)
-        rays = np.stack([(columns - camera.cx) / camera.fx, (rows - camera.cy) / camera.fy, np.ones(len(z))], axis=1)
-        found.append(transform_points(observation.camera_to_start, rays * z[:, None]))
-    return found
-
-
-def _grain_keys(points: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Return a number for the grain of each of (N, 3) points."""
-    grains = np.floor(points / GRAIN).astype(np.int64)
-    low_bits = (1 << _BITS) - 1
-    return (grains[:, 0] << 2 * _BITS) + ((grains[:, 1] & low_bits) << _BITS) + (grains[:, 2] & low_bits)
+def _points(observation: Observation, mask: NDArray[np.bool_], most: int) -> NDArray[np.float64]:
+    """Return the (N, 3) points (m, start frame) of an (H, W) mask's pixels, evenly thinned to at most so many."""
+    rows, columns = np.nonzero(mask & (observation.depth > 0))
+    every = max(1, -(-len(rows) // most))
+    rows, columns = rows[::every], columns[::every]
+    depth = observation.depth[rows, columns].astype(np.float64)
+    return transform_points(observation.camera_to_start, observation.camera.unproject_pixels(rows, columns, depth))
 
 
 def _seen(points: NDArray[np.float64]) -> _Instance:
     """Return what a detection shows, by its (N, 3) points (m, start frame)."""
     low, high = points.min(axis=0) - GRAIN, points.max(axis=0) + GRAIN
-    return _Instance(np.unique(_grain_keys(points)), tuple(low.tolist()), tuple(high.tolist()))
+    return _Instance(np.unique(grain_keys(points, GRAIN)), tuple(low.tolist()), tuple(high.tolist()))
 
 
 def _each(choose: Callable[[float, float], float], one: Point3, other: Point3) -> Point3:

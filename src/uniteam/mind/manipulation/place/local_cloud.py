@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import BasePose, invert_transform, transform_points
+from uniteam.geometry import BasePose, grain_keys, invert_transform, transform_points
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.view import Points, View
 from uniteam.stretch import BASE_RADIUS
@@ -15,8 +15,6 @@ _GRAIN = 0.02
 _OWN_RADIUS = BASE_RADIUS + 0.02
 """m around the base's axis; what is seen there is the robot itself, give or take a grain."""
 _NO_KEY = np.iinfo(np.int64).max
-_BITS = 21
-"""Of a grain's place along an axis: 42 km of grains of 2 cm, so that three of them make one key of 63 bits."""
 
 
 class LocalCloud:
@@ -74,15 +72,8 @@ class _Grains:
 
     def add(self, points: NDArray[np.float64]) -> None:
         """Add those of (M, 3) points in whose grains there is none yet, in their order."""
-        keys, first = np.unique(_grain_keys(points), return_index=True)
+        keys, first = np.unique(grain_keys(points, _GRAIN), return_index=True)
         place = np.searchsorted(self._keys, keys)
         is_known = np.append(self._keys, _NO_KEY)[place] == keys
         self.points = np.concatenate([self.points, points[np.sort(first[~is_known])]])
         self._keys = np.insert(self._keys, place[~is_known], keys[~is_known])
-
-
-def _grain_keys(points: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Return a number for the grain of each of (N, 3) points."""
-    grains = np.floor(points / _GRAIN).astype(np.int64)
-    low_bits = (1 << _BITS) - 1
-    return (grains[:, 0] << 2 * _BITS) + ((grains[:, 1] & low_bits) << _BITS) + (grains[:, 2] & low_bits)
