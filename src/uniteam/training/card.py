@@ -42,6 +42,12 @@ def read_plain_card(folder: Path = WEIGHTS) -> dict[str, Any]:
     return {**_EMPTY, **(json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {})}
 
 
+def steps_before(folder: Path | None, part: str) -> int:
+    """Return how many steps the networks of a folder say that a part was trained for; 0 where they say nothing."""
+    facts = {} if folder is None else read_plain_card(folder)["made"].get(part, {})
+    return int(facts.get("steps in all", facts.get("steps", 0)))
+
+
 def _page(card: Mapping[str, Any]) -> str:
     """Return the card for people."""
     names = card["names"]

@@ -48,7 +48,7 @@ class OtherLooks:
     def things_of(self, home: Home) -> list[Thing]:
         """Return what the home's instances are, in its order."""
         return [
-            replace_category(thing) if instance.name in self.nameless else thing
+            Thing(thing.role, NAMELESS, NAMELESS) if instance.name in self.nameless else thing
             for instance, thing in zip(home.instances, things_of(home), strict=True)
         ]
 
@@ -66,11 +66,6 @@ def other_looks(home: Home, rng: Generator) -> OtherLooks:
             shaped = stretched(mesh, rng) if instance.movable else narrowed(mesh, rng)
             meshes[instance.name] = recoloured(shaped, rng)
     return OtherLooks(meshes, nameless)
-
-
-def replace_category(thing: Thing) -> Thing:
-    """Return a thing without its name."""
-    return Thing(thing.role, NAMELESS, NAMELESS)
 
 
 def stretched(mesh: RenderMesh, rng: Generator) -> RenderMesh:

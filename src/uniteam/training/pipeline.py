@@ -11,13 +11,13 @@ import torch
 from torch import nn
 
 from uniteam.training import train_namer, train_segmenter
-from uniteam.training.card import change_card, read_plain_card
+from uniteam.training.card import change_card, read_plain_card, steps_before
 from uniteam.training.export import export_namer, export_segmenter, halve
 from uniteam.training.loop import Plan
 from uniteam.training.namer import Namer
 from uniteam.training.proposal_crops import make_proposals
 from uniteam.training.segmenter import Segmenter
-from uniteam.training.start import begin_with, steps_before
+from uniteam.training.start import begin_with
 from uniteam.training.view_store import VIEWS_A_HOME, make_views
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 

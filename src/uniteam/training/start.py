@@ -1,8 +1,6 @@
 """What training begins with: ImageNet's weights, or those of networks that were trained before."""
 
-import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import torch
@@ -56,13 +54,3 @@ def begin_with(model: nn.Module, path: Path) -> None:
         raise InvalidInputError(f"'{path}' is of a network of another shape (its '{(unlike or ['weights'])[0]}')")
     own.update({name: torch.from_numpy(np.array(value, dtype=np.float32)) for name, value in weights.items()})
     model.load_state_dict(own)
-
-
-def steps_before(folder: Path | None, part: str) -> int:
-    """Return how many steps the networks of a folder say that a part was trained for; 0 where they say nothing."""
-    path = None if folder is None else folder / "card.json"
-    if path is None or not path.is_file():
-        return 0
-    made: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")).get("made", {})
-    facts = made.get(part, {})
-    return int(facts.get("steps in all", facts.get("steps", 0)))
