@@ -11,6 +11,14 @@ from uniteam.errors import InvalidInputError
 VIEWS = 40
 
 
+def trained_networks(work: Path) -> Path:
+    """Return the folder of the networks that were trained in a folder; raises InvalidInputError where one is missing."""
+    weights = work / "weights"
+    if not (weights / "namer.onnx").is_file() or not (weights / "segmenter.onnx").is_file():
+        raise InvalidInputError(f"'{weights}' holds no two networks; train the segmenter and the namer first")
+    return weights
+
+
 def calibrate(work: Path, homes: int, camera: str, console: Console) -> None:
     """Fit the calibration of the networks in a folder's `weights`, and write it into their card."""
     from dataclasses import replace
@@ -22,9 +30,7 @@ def calibrate(work: Path, homes: int, camera: str, console: Console) -> None:
     from uniteam.training.calibration import fit_calibration, watch_training_homes
     from uniteam.training.card import change_card
 
-    weights = work / "weights"
-    if not (weights / "namer.onnx").is_file() or not (weights / "segmenter.onnx").is_file():
-        raise InvalidInputError(f"'{weights}' holds no two networks; train the segmenter and the namer first")
+    weights = trained_networks(work)
     card = replace(read_card(weights), calibration={})
     with counting(console, "homes", homes) as advance:
         sightings = watch_training_homes(Eyes(weights), card, homes, VIEWS, camera_named(camera), advance)

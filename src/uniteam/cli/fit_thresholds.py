@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 from rich.console import Console
 from rich.table import Table
 
+from uniteam.cli.calibrate import trained_networks
 from uniteam.cli.progress import counting
 from uniteam.cli.terminal import shown
-from uniteam.errors import InvalidInputError
 
 if TYPE_CHECKING:
     from uniteam.training.first_beliefs import Beliefs
@@ -23,9 +23,7 @@ def fit_thresholds(work: Path, episodes: int, camera: str, console: Console) -> 
     from uniteam.training.first_beliefs import best_thresholds, write_thresholds
     from uniteam.world.task.splits import load_split
 
-    weights = work / "weights"
-    if not (weights / "namer.onnx").is_file() or not (weights / "segmenter.onnx").is_file():
-        raise InvalidInputError(f"'{weights}' holds no two networks; train the segmenter and the namer first")
+    weights = trained_networks(work)
     split = load_split("train")
     chosen = episodes_of_held_out_models(split)[:episodes]
     watched: list[Beliefs] = []
