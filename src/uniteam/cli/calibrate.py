@@ -12,7 +12,7 @@ VIEWS = 40
 
 
 def trained_networks(work: Path) -> Path:
-    """Return the folder of the networks that were trained in a folder; raises InvalidInputError where one is missing."""
+    """Return the folder of the networks trained in a folder; raises InvalidInputError where one is missing."""
     weights = work / "weights"
     if not (weights / "namer.onnx").is_file() or not (weights / "segmenter.onnx").is_file():
         raise InvalidInputError(f"'{weights}' holds no two networks; train the segmenter and the namer first")
