@@ -13,7 +13,6 @@ import argparse
 import hashlib
 import json
 import shutil
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -27,26 +26,13 @@ from assets_build.families import FAMILIES
 from assets_build.floors_and_walls import build_textures
 from assets_build.generated import generated_pieces
 from assets_build.generated_plan import PLAN
+from assets_build.kept import Kept
 from assets_build.pools import assign_pools
 from assets_build.selection import read_selection
 from assets_build.sources import read_sources
 
 BUILD = Path(__file__).parent / "assets_build"
 PACK = Path(__file__).parents[1] / "src/uniteam/world/assets/pack"
-CONVERSION = (
-    "convert",
-    "geometry",
-    "glb",
-    "hollow",
-    "images",
-    "instance",
-    "masses",
-    "sampling",
-    "shapes",
-    "surfaces",
-    "voxels",
-    "wavefront",
-)
 
 
 def main() -> None:
@@ -59,7 +45,7 @@ def main() -> None:
     parser.add_argument("--pack", type=Path, default=PACK)
     arguments = parser.parse_args()
     sources = read_sources(arguments.debs, arguments.work)
-    kept = _Kept(arguments.work / "built")
+    kept = Kept(arguments.work / "built")
     models = []
     for entry in read_selection(BUILD / "selection.json"):
         source = sources[entry.source]
@@ -74,26 +60,6 @@ def main() -> None:
     rejected = frozenset(json.loads((BUILD / "rejected.json").read_text()))
     models = [model for model in models if model["id"] not in rejected]
     _write_pack(arguments.pack, models, kept.folder, arguments.work / "sweethome3d/models/sweethome3d")
-
-
-class _Kept:
-    """Models built before, found again by what they were built from."""
-
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        folder.mkdir(parents=True, exist_ok=True)
-        self._code = "".join((BUILD / f"{name}.py").read_text() for name in CONVERSION)
-
-    def build(self, key: str, make: Callable[[Path], dict[str, Any]]) -> dict[str, Any]:
-        """Return the catalogue entry of a model, building it only where its key or the conversion changed."""
-        path = self.folder / f"{hashlib.sha256((self._code + key).encode()).hexdigest()[:24]}.json"
-        if not path.exists():
-            model = make(self.folder)
-            print(model["id"], flush=True)
-            path.write_text(json.dumps(model))
-            shutil.copy(self.folder / f"{model['id']}.glb", path.with_suffix(".glb"))
-        model = json.loads(path.read_text())
-        return model | {"file": path.with_suffix(".glb").name}
 
 
 def _drawing_key(drawn: Any) -> str:

@@ -30,9 +30,12 @@ def main() -> None:
     """Read the arguments and export what is missing."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, required=True, help="folder for the triangles")
-    out = parser.parse_args().out
+    parser.add_argument("--more", type=int, default=0, help="export so many others for training instead (default: 0)")
+    arguments = parser.parse_args()
+    out = arguments.out
     out.mkdir(parents=True, exist_ok=True)
-    wanted = [(planned, seed) for planned in PLAN for seed in planned.seeds]
+    plan = [planned.more(arguments.more) for planned in PLAN] if arguments.more else PLAN
+    wanted = [(planned, seed) for planned in plan for seed in planned.seeds]
     for planned, seed in sorted(wanted, key=lambda pair: pair[1] % 10_000):
         path = out / f"{planned.file(seed)}.npz"
         failed = path.with_suffix(".failed")

@@ -35,15 +35,21 @@ class Family:
 
     def pieces(self) -> Iterator[Piece]:
         """Yield the instances, those for training first."""
-        for index in range(self.train):
-            yield self._piece("train", index, self.train)
-        for index in range(self.test):
-            yield self._piece("test", index, self.test)
+        yield from self._series(self.category, "train", self.train)
+        yield from self._series(self.category, "test", self.test)
 
-    def _piece(self, pool: Pool, index: int, count: int) -> Piece:
+    def more(self, count: int) -> Iterator[Piece]:
+        """Yield other instances, for training, of a family that trains."""
+        if self.train:
+            yield from self._series(f"{self.category}_more", "train", count)
+
+    def _series(self, series: str, pool: Pool, count: int) -> Iterator[Piece]:
+        for index in range(count):
+            yield self._piece(f"{series}_{pool}_{index}", Variation(series, pool, index, count), pool)
+
+    def _piece(self, model_id: str, variation: Variation, pool: Pool) -> Piece:
         drawing = Drawing()
-        self.draw(drawing, Variation(self.category, pool, index, count))
-        model_id = f"{self.category}_{pool}_{index}"
+        self.draw(drawing, variation)
         entry = Entry(model_id, self.role, self.category, self.name, collision=self.collision, boxes=self.boxes)
         provenance = {"source": "drawn", "source_id": model_id, "creator": "uniteam", "licence": "CC0-1.0"}
         return Piece(drawing, entry, self.density, provenance, pool)

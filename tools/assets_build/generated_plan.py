@@ -1,7 +1,7 @@
 """Which instances Infinigen generates: its factories, the classes they fill, and seeds that train or only test."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 FIRST_TRAIN, FIRST_TEST = 10_000, 20_000
 
@@ -16,6 +16,7 @@ class Generated:
         train, test: how many seeds are tried for each pool.
         longest: the usual longest side (m) of an object, or the most that furniture may be wide or deep.
         tallest: the most that furniture may be high (m): the robot is to reach its top.
+        trained: how many of the seeds for training, the first ones, are left out: the pack has them.
         turn: degrees about z that bring the front to -y; Infinigen has it towards x.
         lying: whether it is laid on its broad side.
         collision: as in an `Entry`.
@@ -35,12 +36,17 @@ class Generated:
     collision: str = ""
     density: float = 0.0
     tallest: float = 1.95
+    trained: int = 0
 
     @property
     def seeds(self) -> Iterator[int]:
         """The seeds that are tried, those for training first."""
-        yield from range(FIRST_TRAIN, FIRST_TRAIN + self.train)
+        yield from range(FIRST_TRAIN + self.trained, FIRST_TRAIN + self.train)
         yield from range(FIRST_TEST, FIRST_TEST + self.test)
+
+    def more(self, count: int) -> "Generated":
+        """Return the factory with so many more seeds for training where it trains, and none besides."""
+        return replace(self, train=self.train + count if self.train else 0, test=0, trained=self.train)
 
     def file(self, seed: int) -> str:
         """Return the stem of an instance's file."""

@@ -25,6 +25,7 @@ def train(
     proposal_homes: Annotated[int, tyro.conf.arg(metavar="N")] = 40,
     steps: Annotated[int, tyro.conf.arg(metavar="N")] = 20_000,
     start: Annotated[str, tyro.conf.arg(metavar="WEIGHTS")] = "imagenet",
+    library: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
     camera: Literal["half", "full"] = "half",
 ) -> None:
     """Make a network of perception `learned`: render views of training homes, train, judge, and write it.
@@ -41,6 +42,7 @@ def train(
         proposal_homes: In how many more homes the segmenter makes proposals for the namer to learn from.
         steps: How many steps to train, of 4 frames or 32 crops each.
         start: What to begin with: imagenet, shipped (the networks of this package), or a folder of networks.
+        library: Folder of models that the training homes not yet rendered are made of; the pack where it is left out.
         camera: Of the calibration and the thresholds, images of 240x320 (half) or of 480x640 (full).
     """
     _check(homes, proposal_homes, steps)
@@ -58,8 +60,10 @@ def train(
         return
     pipeline = _pipeline()
     from uniteam.training.start import start_folder
+    from uniteam.world.assets.catalogue import load_library
 
-    order = pipeline.Order(work, homes, proposal_homes, steps, start_folder(start))
+    models = load_library(library) if library is not None else None
+    order = pipeline.Order(work, homes, proposal_homes, steps, start_folder(start), models)
     make = pipeline.make_segmenter if part == "segmenter" else pipeline.make_namer
     with progress_of(console) as advance:
         figures = make(order, advance)

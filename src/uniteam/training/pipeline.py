@@ -19,6 +19,7 @@ from uniteam.training.proposal_crops import make_proposals
 from uniteam.training.segmenter import Segmenter
 from uniteam.training.start import begin_with
 from uniteam.training.view_store import VIEWS_A_HOME, make_views
+from uniteam.world.assets.catalogue import Catalogue
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
 
 PROPOSALS_FROM = 5_000
@@ -38,6 +39,7 @@ class Order:
         proposal_homes: of how many more the segmenter's proposals are taken, for the namer.
         steps: of training.
         start: folder of the networks to begin with; ImageNet's weights alone where it is None.
+        models: library of the training homes' models; the pack where it is None.
         check_seconds: between two checkpoints (s).
     """
 
@@ -46,6 +48,7 @@ class Order:
     proposal_homes: int
     steps: int
     start: Path | None = None
+    models: Catalogue | None = None
     check_seconds: float = 300.0
 
     @property
@@ -81,7 +84,7 @@ def make_namer(order: Order, advance: Advance) -> Mapping[str, float]:
     if segmenter.is_file() and order.proposal_homes:
         homes = range(PROPOSALS_FROM, PROPOSALS_FROM + order.proposal_homes)
         made = _Counter(advance, "homes' proposals", len(homes))
-        make_proposals(order.views, segmenter, homes, made, VIEWS_A_HOME)
+        make_proposals(order.views, segmenter, homes, made, VIEWS_A_HOME, order.models)
     began = time.monotonic()
     plan = Plan(order.steps, order.check_seconds, order.work / "namer")
     model = train_namer.train_namer(_begun(_namer(order), order, "namer"), order.views, plan, _steps(order, advance))
@@ -115,7 +118,8 @@ def _begun(model: nn.Module, order: Order, part: str) -> nn.Module:
 
 
 def _make_views(order: Order, advance: Advance) -> None:
-    make_views(order.views, range(order.homes), _Counter(advance, "homes' views", order.homes))
+    made = _Counter(advance, "homes' views", order.homes)
+    make_views(order.views, range(order.homes), made, library=order.models)
 
 
 def _write(model: nn.Module, path: Path, export: Callable[[nn.Module, Path], None]) -> None:

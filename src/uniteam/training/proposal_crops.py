@@ -14,12 +14,20 @@ from uniteam.training.other_looks import other_looks
 from uniteam.training.records import CropRecord, Crops, Thing, write_records
 from uniteam.training.sightings import observation_of
 from uniteam.training.views import View, training_home, views_of
+from uniteam.world.assets.catalogue import Catalogue
 
 OF_A_THING, OF_NONE = 0.4, 0.2
 """Intersection over union with the nearest thing from which a proposal is that thing, and up to which it is none."""
 
 
-def make_proposals(folder: Path, segmenter: Path, homes: range, on_home: Callable[[], None], views: int) -> None:
+def make_proposals(
+    folder: Path,
+    segmenter: Path,
+    homes: range,
+    on_home: Callable[[], None],
+    views: int,
+    library: Catalogue | None = None,
+) -> None:
     """Make the crops of proposals in training homes that a folder lacks.
 
     Args:
@@ -28,13 +36,14 @@ def make_proposals(folder: Path, segmenter: Path, homes: range, on_home: Callabl
         homes: their numbers.
         on_home: called after each.
         views: of each home.
+        library: of the homes' models; None for the pack.
     """
     try_folder(folder)
     network = Network(segmenter)
     for number in homes:
         path = folder / f"proposals-{number:05d}.msgpack"
         if not path.exists():
-            home, rng = training_home(number), np.random.default_rng([number, 11])
+            home, rng = training_home(number, library), np.random.default_rng([number, 11])
             looks = other_looks(home, np.random.default_rng([number, 17]))
             things, seen = looks.things_of(home), views_of(home, views, rng, mesh_of=looks.mesh_of)
             crops = [c for view in seen for c in proposed_crops(view, things, network)]

@@ -10,11 +10,18 @@ from uniteam.training.crop_samples import crops_of
 from uniteam.training.other_looks import other_looks
 from uniteam.training.records import CropRecord, Crops, FrameRecord, Frames, frame_record, write_records
 from uniteam.training.views import training_home, views_of
+from uniteam.world.assets.catalogue import Catalogue
 
 VIEWS_A_HOME = 60
 
 
-def make_views(folder: Path, homes: range, on_home: Callable[[], None], views: int = VIEWS_A_HOME) -> None:
+def make_views(
+    folder: Path,
+    homes: range,
+    on_home: Callable[[], None],
+    views: int = VIEWS_A_HOME,
+    library: Catalogue | None = None,
+) -> None:
     """Make the frames and crops of training homes that a folder lacks.
 
     Args:
@@ -22,6 +29,7 @@ def make_views(folder: Path, homes: range, on_home: Callable[[], None], views: i
         homes: their numbers.
         on_home: called after each.
         views: of each home.
+        library: of the homes' models; None for the pack.
 
     Raises:
         UnwritableError: the folder cannot be written into.
@@ -29,7 +37,7 @@ def make_views(folder: Path, homes: range, on_home: Callable[[], None], views: i
     try_folder(folder)
     for number in homes:
         if not crops_path(folder, number).exists():
-            _make_home(folder, number, views)
+            _make_home(folder, number, views, library)
         on_home()
 
 
@@ -43,8 +51,8 @@ def frames_path(folder: Path, number: int) -> Path:
     return folder / f"frames-{number:05d}.msgpack"
 
 
-def _make_home(folder: Path, number: int, views: int) -> None:
-    home, rng = training_home(number), np.random.default_rng([number, 7])
+def _make_home(folder: Path, number: int, views: int, library: Catalogue | None) -> None:
+    home, rng = training_home(number, library), np.random.default_rng([number, 7])
     looks = other_looks(home, np.random.default_rng([number, 17]))
     things = looks.things_of(home)
     frames: list[FrameRecord] = []

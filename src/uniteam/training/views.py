@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF, head_camera_to_base
 from uniteam.training.stands import Stand, Stands
+from uniteam.world.assets.catalogue import Catalogue
 from uniteam.world.generation.generate import generate_home
 from uniteam.world.generation.style import STYLES
 from uniteam.world.homes.home import Home
@@ -37,10 +38,10 @@ class View:
     camera_to_start: NDArray[np.float64]
 
 
-def training_home(number: int) -> Home:
-    """Return the training home of a number; every third is lived in."""
+def training_home(number: int, library: Catalogue | None = None) -> Home:
+    """Return the training home of a number, of the models of a library or of the pack; every third is lived in."""
     style = STYLES["lived_in" if number % 3 == 2 else "tidy"]
-    return generate_home(FIRST_SEED + number, "train", style)
+    return generate_home(FIRST_SEED + number, "train", style, library)
 
 
 def views_of(

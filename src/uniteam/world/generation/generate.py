@@ -33,7 +33,7 @@ _SCATTERINGS = 4
 """How often objects are scattered in a layout before another one is drawn."""
 
 
-def generate_home(seed: int, pool: Pool = "test", style: HomeStyle = TIDY) -> Home:
+def generate_home(seed: int, pool: Pool = "test", style: HomeStyle = TIDY, library: Catalogue | None = None) -> Home:
     """Return the furnished home of a seed.
 
     Everything but the objects is the same on every machine; where they come to rest is the same on one machine.
@@ -42,6 +42,7 @@ def generate_home(seed: int, pool: Pool = "test", style: HomeStyle = TIDY) -> Ho
         seed: from 0 to `LARGEST_SEED`.
         pool: "train" homes hold training models only and no unseen category; "test" homes hold the other models.
         style: how it is planned, furnished and used.
+        library: the models and textures that it is made of; None for the pack.
 
     Raises:
         InvalidInputError: the seed is negative or too large.
@@ -50,7 +51,7 @@ def generate_home(seed: int, pool: Pool = "test", style: HomeStyle = TIDY) -> Ho
     check_seed(seed)
     if pool not in POOLS:
         raise UnknownNameError("pool", pool, POOLS)
-    catalogue = load_catalogue()
+    catalogue = library or load_catalogue()
     for attempt in count():
         seeds = [seed, POOLS.index(pool), attempt]
         home = _draw_layout(_Order(seed, pool, style, catalogue), np.random.default_rng(seeds))
