@@ -1,6 +1,7 @@
 """What uniteam does beyond the report: the named improvements of `uniteam-plus`."""
 
 from uniteam.mind.agents.config import BASELINE, AgentConfig
+from uniteam.mind.agents.doubt import BelowScore
 from uniteam.mind.agents.improvement import Improvement, Replacement, replacing
 from uniteam.mind.agents.last_round import CLOSE, CLOSE_LOOK, LastRound
 from uniteam.mind.manipulation.arm_reach import LEVEL_WRIST
@@ -235,6 +236,11 @@ BEYOND: tuple[Improvement, ...] = (
         "object_elsewhere",
         "after a long search, an object is taken wherever it lies",
         search__object_elsewhere=ObjectElsewhere(),
+    ),
+    replacing(
+        "second_look",
+        "what the robot is not sure of is looked at from another side before it is picked or placed on",
+        doubts=BelowScore(),
     ),
     replacing("low_drop", "a small object is released close above the surface", place__release__least_height=LOW_DROP),
 )

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from uniteam.geometry import BasePose
+from uniteam.geometry import BasePose, Point2
 from uniteam.interface import Instruction
 from uniteam.mind.agents.config import AgentConfig
 from uniteam.mind.manipulation.place.after_release import Lying
@@ -16,7 +16,7 @@ from uniteam.mind.navigation.goals.failed_goals import FailedGoals
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
 from uniteam.mind.navigation.planning.plan import Plan
 from uniteam.mind.navigation.planning.planner import Planner
-from uniteam.mind.perception.vocabulary import RoleScores, role_scores
+from uniteam.mind.perception.vocabulary import ClassRole, RoleScores, class_names, role_scores
 
 
 @dataclass
@@ -40,6 +40,7 @@ class Blackboard:
         turned_at: where the robot last turned all the way round for want of anything to head for (start frame).
         lying: where the object was seen to lie after it was let go, until it is picked up again.
         falls: how often that was.
+        looked_again: what was looked at from another side (m, start frame).
         goal, plan: what the robot heads for in this step, for the overlay; None where it does not drive.
     """
 
@@ -60,8 +61,13 @@ class Blackboard:
     turned_at: BasePose | None = None
     lying: Lying | None = None
     falls: int = 0
+    looked_again: list[Point2] = field(default_factory=list)
     goal: Goal | None = None
     plan: Plan | None = None
+
+    def class_name(self, role: ClassRole) -> str:
+        """Return what plays a role, in plain words."""
+        return class_names(self.instruction)[role].replace("_", " ")
 
     @staticmethod
     def fresh(instruction: Instruction, config: AgentConfig, seed: int) -> "Blackboard":

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from uniteam.mind.agents.doubt import Doubt, trust_what_is_seen
 from uniteam.mind.agents.last_round import Relaxation, give_up
 from uniteam.mind.manipulation.arm_clearance import Load
 from uniteam.mind.manipulation.load_footprint import base_alone
@@ -43,6 +44,7 @@ class AgentConfig:
         first_turns: turns of 30 degrees to look around with at first.
         first_look: to which side they are, and when fewer are enough.
         make_planner: makes the planner of an episode.
+        doubts: what is looked at from another side before it is acted on.
         remember: makes an episode's memory of what single things were taken for, before the filters.
     """
 
@@ -60,6 +62,7 @@ class AgentConfig:
     first_turns: int = HOMEROBOT_TURNS
     first_look: FirstLook = field(default_factory=FirstLook)
     make_planner: Callable[[PlannerConfig], Planner] = plan_by_ring
+    doubts: Doubt = trust_what_is_seen
     remember: Callable[[], Remember] = forget_instances
 
 

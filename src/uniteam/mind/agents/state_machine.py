@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import partial
 
+from uniteam.geometry import Point2
 from uniteam.interface import DiscreteAction
 from uniteam.mind.agents.blackboard import Blackboard
 from uniteam.mind.agents.search import (
@@ -18,6 +19,7 @@ from uniteam.mind.agents.search import (
     get_away,
     look_around,
 )
+from uniteam.mind.agents.second_look import go_aside, is_doubted, is_recognised
 from uniteam.mind.manipulation.arm_clearance import EMPTY_GRIPPER, Load
 from uniteam.mind.manipulation.pick.pick import pick
 from uniteam.mind.manipulation.place.place import place
@@ -98,11 +100,13 @@ class _Errand:
 
     Attributes:
         search: what is searched for.
+        role: of it.
         states: while it is searched for, and while the robot goes to it.
         arrived: what comes then.
     """
 
     search: Search
+    role: ClassRole
     states: tuple[State, State]
     arrived: Phase
 
@@ -118,8 +122,25 @@ class _Errand:
     def _go_there(self, board: Blackboard, view: View) -> Skill[Phase]:
         end = yield from approach(board, view, self.search)
         if end is Approach.ARRIVED:
-            return self.arrived
+            return Phase(self.states[1], self._before_it)
         return Phase(self.states[0], self._get_away) if end is Approach.BLOCKED else self.find
+
+    def _before_it(self, board: Blackboard, view: View) -> Skill[Phase]:
+        if not is_doubted(board, view, self.role):
+            return self.arrived
+        target = faced_point(view, self.role)
+        end = yield from go_aside(board, view, self.search, self.role, target)
+        if end is Approach.BLOCKED:
+            return Phase(self.states[0], self._get_away)
+        return (
+            Phase(self.states[1], partial(self._aside_of_it, target=target)) if end is Approach.ARRIVED else self.find
+        )
+
+    def _aside_of_it(self, board: Blackboard, view: View, target: Point2) -> Skill[Phase]:
+        yield from ()
+        if not is_recognised(view, self.role, target):
+            board.bird_map.forget_thing(self.role, *target)
+        return self.find
 
     def _get_away(self, board: Blackboard, view: View) -> Skill[Phase]:
         yield from get_away(board, view)
@@ -163,10 +184,12 @@ def _stop(board: Blackboard, view: View, reason: str) -> Skill[Phase]:
 
 
 _GIVE_UP = Phase(State.DONE, partial(_stop, reason="I have looked everywhere I can get to, and give up."))
-_FETCH = _Errand(OBJECT_SEARCH, (State.FIND_OBJECT, State.NAVIGATE_TO_OBJECT), Phase(State.PICK, _pick))
+_FETCH = _Errand(
+    OBJECT_SEARCH, ClassRole.OBJECT, (State.FIND_OBJECT, State.NAVIGATE_TO_OBJECT), Phase(State.PICK, _pick)
+)
 
 
 def _bring(load: Load) -> _Errand:
     """Return the errand of bringing what is in the gripper to a goal receptacle."""
     states = State.FIND_RECEPTACLE, State.NAVIGATE_TO_RECEPTACLE
-    return _Errand(RECEPTACLE_SEARCH, states, Phase(State.PLACE, partial(_place, load=load)))
+    return _Errand(RECEPTACLE_SEARCH, ClassRole.GOAL_RECEPTACLE, states, Phase(State.PLACE, partial(_place, load=load)))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
-from uniteam.grid import Cell, Grid, Mask, disc, enlarged
+from uniteam.grid import Cell, Grid, Mask, disc, disc_mask, enlarged
 from uniteam.interface import Observation, Segmentation
 from uniteam.mind.mapping.clearing import MapCells
 from uniteam.mind.mapping.frame_on_map import frame_on_map, receptacle_pixels
@@ -175,6 +175,15 @@ class BirdsEyeMap:
     def forget_probability(self, role: ClassRole) -> None:
         """Forget how probable the class is wherever it was seen; that it was seen stays known."""
         self._class_probability[role] = 0.0
+
+    def forget_thing(self, role: ClassRole, x: float, y: float, radius: float = 1.0) -> None:
+        """Forget that a class was seen in the cells that lie together around a point (m, start frame)."""
+        cells = self._class_cells[role]
+        near = disc_mask(self.shape, self.to_cell(x, y), round(radius / self.cell_size))
+        _, labels = cv2.connectedComponents(cells.view(np.uint8), connectivity=8)
+        thing = cells & np.isin(labels, labels[cells & near])
+        cells[thing] = False
+        self._class_probability[role][thing] = 0.0
 
     def clear_collisions(self) -> None:
         """Forget every collision cell."""
