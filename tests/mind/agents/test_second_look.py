@@ -69,6 +69,7 @@ def test_what_is_no_bed_from_its_side_is_left_for_what_is_one() -> None:
     assert BED.low[0] < world.released[0] < BED.high[0] and BED.low[1] < world.released[1] < BED.high[1]
     aside = [d for d in decisions if d.reason == "I am not sure of the bed and look from another side."]
     assert len(aside) >= 2, "it drove around the bench, and around the bed"
+    assert not any("I try elsewhere" in d.reason for d in decisions), "nothing was tried at the bench"
 
 
 def test_without_it_the_first_impression_counts() -> None:
