@@ -43,12 +43,3 @@ def test_perception_refuses_what_it_cannot_measure(tmp_path: Path, capsys: pytes
     assert "--views from 1" in refused(capsys, "perception", "--views", "0")
     assert "must end in .md" in refused(capsys, "perception", "--out", str(tmp_path / "tables.txt"))
     assert "unknown split" in refused(capsys, "perception", "--split", "vall")
-
-
-@pytest.mark.skipif(find_spec("onnxruntime") is not None, reason="ONNX Runtime is installed")
-def test_a_run_with_learned_says_what_to_install_before_it_begins(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    sentence = refused(capsys, "evaluate", "--perception", "learned", "--out", str(tmp_path / "runs"))
-    assert "pip install 'uniteam[learned]'" in sentence
-    assert not (tmp_path / "runs").exists()

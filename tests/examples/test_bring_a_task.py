@@ -18,5 +18,5 @@ def test_the_episodes_made_by_hand_are_played(
     call: Call, tidy_loft: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = ("--out", str(tmp_path / "out"), "--workers", "1", "--episodes", "1")
-    assert call("evaluate", "--agents", "uniteam-plus", "--split", str(tidy_loft), *out) == 0
+    assert call("evaluate", "--agents", "uniteam-plus", "--perception", "truth", "--split", str(tidy_loft), *out) == 0
     assert "uniteam-plus, loft-0-mug: success" in capsys.readouterr().out

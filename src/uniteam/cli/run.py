@@ -38,7 +38,7 @@ def run(
     episode: int = 0,
     video: Annotated[Path | None, tyro.conf.arg(metavar="FILE.mp4")] = None,
     record: Annotated[Path | None, tyro.conf.arg(metavar="FILE.zip")] = None,
-    perception: str = "truth",
+    perception: str = "learned",
     model: Annotated[str | None, tyro.conf.arg(metavar="ORG/NAME")] = None,
     revision: Annotated[str | None, tyro.conf.arg(metavar="R")] = None,
     camera: Literal["half", "full"] = "half",
@@ -55,7 +55,8 @@ def run(
         episode: Which episode of the split, counted from 0.
         video: An .mp4 file to film it into.
         record: A .zip file to record it into, from which it can be explained and replayed.
-        perception: What the agent sees with: a name, NAME:ARGUMENT for one that takes an argument, or your own as
+        perception: What the agent sees with: learned (colours, depth and words, nothing else), truth (perfect, to find
+            out what perception costs), another name, NAME:ARGUMENT for one that takes an argument, or your own as
             MODULE:ATTRIBUTE.
         model: The weights of a detector: ORG/NAME on the Hugging Face hub, or a folder.
         revision: Which commit of the model; give it where results are to be repeated.

@@ -83,7 +83,7 @@ def _check(homes: int, proposal_homes: int, steps: int) -> None:
 def _pipeline() -> ModuleType:
     from importlib.util import find_spec
 
-    lacking = [name for name in ("torch", "onnx", "onnxruntime") if find_spec(name) is None]
+    lacking = [name for name in ("torch", "onnx") if find_spec(name) is None]
     if lacking:
         raise InvalidInputError(f"training needs {' and '.join(lacking)}: pip install 'uniteam[train]'")
     from uniteam.training import pipeline

@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 
-pytest.importorskip("onnxruntime")
-
 from uniteam.geometry import PinholeCamera
 from uniteam.interface import Instruction, Observation
 from uniteam.mind.perception.learned.learned_perception import LearnedPerception

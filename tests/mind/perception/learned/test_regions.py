@@ -1,12 +1,11 @@
 """The parts of perception `learned`, on arrays made by hand, and the whole of it on rendered frames."""
 
-from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from uniteam.errors import DamagedFileError, InvalidInputError
+from uniteam.errors import DamagedFileError
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Joints, Observation
 from uniteam.mind.perception.learned.asking import calibrated
@@ -142,8 +141,5 @@ def test_a_damaged_network_or_card_is_named(tmp_path: Path) -> None:
     with pytest.raises(DamagedFileError, match=r"card\.json"):
         read_card(tmp_path)
     (tmp_path / "net.onnx").write_bytes(b"nothing")
-    error, words = (
-        (DamagedFileError, r"net\.onnx") if find_spec("onnxruntime") else (InvalidInputError, r"uniteam\[learned\]")
-    )
-    with pytest.raises(error, match=words):
+    with pytest.raises(DamagedFileError, match=r"net\.onnx"):
         Network(tmp_path / "net.onnx")

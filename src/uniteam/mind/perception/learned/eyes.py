@@ -50,7 +50,7 @@ class Eyes:
     """The two networks: where things are, and what they are."""
 
     def __init__(self, folder: Path = WEIGHTS) -> None:
-        """Load them; raises UnavailableError without ONNX Runtime, DamagedFileError where a file cannot be read."""
+        """Load them; raises DamagedFileError where a file cannot be read."""
         self._segmenter, self._namer = _network(folder / "segmenter.onnx"), _network(folder / "namer.onnx")
 
     def look(self, observation: Observation) -> list[Glimpse]:

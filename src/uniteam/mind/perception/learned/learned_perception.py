@@ -13,7 +13,7 @@ from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.learned.asking import Asked, Asking
 from uniteam.mind.perception.learned.eyes import Eyes, Glimpse
 from uniteam.mind.perception.learned.kinds import Kind
-from uniteam.mind.perception.learned.networks import WEIGHTS, check_runtime, read_card
+from uniteam.mind.perception.learned.networks import WEIGHTS, read_card
 from uniteam.mind.perception.words.meaning import load_words
 
 HIGHEST_SCORE = 0.99
@@ -27,16 +27,10 @@ class LearnedPerception:
         """Load the networks of a folder, those of the package by default, and the words.
 
         Raises:
-            UnavailableError: ONNX Runtime is not installed.
             DamagedFileError: a file of the package cannot be read.
         """
         self._eyes, self._asking = Eyes(weights), Asking(read_card(weights), load_words())
         self._asked: tuple[Asked, ...] = ()
-
-    @staticmethod
-    def check_ready() -> None:
-        """Raise UnavailableError where ONNX Runtime is not installed."""
-        check_runtime()
 
     def reset(self, instruction: Instruction, seed: int) -> None:
         """Take the instruction's words; raises UnknownNameError for one that cannot be read."""

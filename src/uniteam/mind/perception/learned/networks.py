@@ -2,14 +2,13 @@
 
 import json
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.errors import DamagedFileError, UnavailableError
+from uniteam.errors import DamagedFileError
 
 WEIGHTS = Path(__file__).with_name("weights")
 """`segmenter.onnx`, `namer.onnx` and `card.json`, which says what they were trained on and what they can name."""
@@ -32,12 +31,6 @@ class Card:
     calibration: dict[str, tuple[list[float], list[float]]]
 
 
-def check_runtime() -> None:
-    """Raise UnavailableError where ONNX Runtime is not installed."""
-    if find_spec("onnxruntime") is None:
-        raise UnavailableError("perception 'learned' needs ONNX Runtime: pip install 'uniteam[learned]'")
-
-
 class Network:
     """A network of one file, run on one thread, so that the same input gives the same bits."""
 
@@ -45,11 +38,9 @@ class Network:
         """Load it.
 
         Raises:
-            UnavailableError: ONNX Runtime is not installed.
             DamagedFileError: the file cannot be read as a network.
         """
-        check_runtime()
-        import onnxruntime
+        import onnxruntime  # a run that sees the truth does without
 
         options = onnxruntime.SessionOptions()
         options.intra_op_num_threads = options.inter_op_num_threads = 1

