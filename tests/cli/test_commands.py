@@ -38,7 +38,7 @@ def test_evaluate_prints_the_table_and_goes_on_from_what_it_has(
     command = ("evaluate", "--agents", "random", "--episodes", "1", "--workers", "1", "--out", str(tmp_path))
     assert call(*command) == 0
     first = capsys.readouterr().out
-    for word in ("FindObj", "Overall", "random", "Split minival", "perception truth"):
+    for word in ("FindObj", "Overall", "random", "Split minival", "perception learned"):
         assert word in first
     assert json.loads((tmp_path / "summary.json").read_text())["random"]["episode_count"] == 1
     assert call(*command) == 0
