@@ -1,4 +1,7 @@
-"""Distance fields against fast marching, and paths that keep between obstacles."""
+"""Distance fields against fast marching and a plain heap, and paths that keep between obstacles."""
+
+import heapq
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -6,6 +9,7 @@ import skfmm
 from numpy.typing import NDArray
 
 from uniteam.grid import Mask, disc_mask
+from uniteam.mind.navigation.planning.bucket_queue import FAR, spread
 from uniteam.mind.navigation.planning.distance_field import COST_PER_CELL, distance_field, nearest_target, trace_path
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal, line_is_free
 from uniteam.mind.navigation.planning.traversible import connected_to
@@ -90,6 +94,44 @@ def test_several_sources_give_the_nearest_ones_distance() -> None:
     a[20, 20] = b[200, 200] = True
     both = distance_field(free, a | b, CELL)
     assert (both == np.minimum(distance_field(free, a, CELL), distance_field(free, b, CELL))).all()
+
+
+def by_heap(free: Mask, prices: NDArray[np.uint8], sources: Mask) -> dict[tuple[int, int], int]:
+    """Return the least costs by Dijkstra's algorithm with the weights and the rules of `distance_field`."""
+    knights = [(r, c) for r in (-2, -1, 1, 2) for c in (-2, -1, 1, 2) if abs(r) != abs(c)]
+    steps = [(r, c) for r in (-1, 0, 1) for c in (-1, 0, 1) if r or c] + knights
+    costs = {(int(row), int(column)): 0 for row, column in np.argwhere(sources)}
+    heap = [(0, cell) for cell in costs]
+    is_free = np.pad(free, (0, 2))
+    may_pass: dict[int, Callable[[tuple[bool, bool]], bool]] = {1: lambda _: True, 2: any, 3: all}
+    while heap:
+        cost, (row, column) = heapq.heappop(heap)
+        for r, c in steps:
+            half_r, half_c = int(r / 2), int(c / 2)
+            passed = is_free[row + half_r, column + c - half_c], is_free[row + r - half_r, column + half_c]
+            if not (is_free[row + r, column + c] and may_pass[abs(r) + abs(c)](passed)):
+                continue
+            reached = cost + {1: 5, 2: 7, 3: 11}[abs(r) + abs(c)] * int(prices[row + r, column + c])
+            if reached < costs.get((row + r, column + c), FAR):
+                costs[row + r, column + c] = reached
+                heapq.heappush(heap, (reached, (row + r, column + c)))
+    return costs
+
+
+@pytest.mark.parametrize("every", [7, 140])
+def test_costs_are_those_of_a_plain_heap_however_many_cells_wait(every: int) -> None:
+    """A source in every seventh row and column has more cells wait at one cost than there is room for at first."""
+    generator = np.random.default_rng(every)
+    free = generator.random((140, 140)) > 0.1
+    prices = generator.integers(1, 4, free.shape).astype(np.uint8)
+    sources = np.zeros_like(free)
+    sources[::every, ::every] = True
+    costs, row, column = spread(free, prices, sources, np.zeros_like(free))
+    expected = np.full(free.shape, FAR)
+    for cell, cost in by_heap(free, prices, sources).items():
+        expected[cell] = cost
+    assert (row, column) == (-1, -1)
+    assert (costs == expected).all()
 
 
 def test_a_search_stops_at_the_nearest_target_with_the_same_cost_as_the_whole_field() -> None:
