@@ -21,6 +21,7 @@ _BUCKETS = 64
 _LAST_BUCKET = _BUCKETS - 1
 _ROOM = 1024
 _SHUT = -1
+_NOTHING = np.int64(-1)
 _RIM = 2
 _PRICE, _TARGET = 7, 8  # of a cell's ground: a mask for the price, and a bit
 _SIDES = ((0, 1), (1, 0), (0, -1), (-1, 0))
@@ -84,8 +85,8 @@ def _settle(
     queue: NDArray[np.int32],
     sizes: NDArray[np.int64],
     cost: int,
-) -> tuple[int, int, bool]:  # pragma: no cover
-    """Settle the waiting cells from a cost on until one is a target; return the cost, the target or -1, and if it is full.
+) -> tuple[int, np.int64, bool]:  # pragma: no cover
+    """Settle the cells that wait from a cost on; return the cost, the target found or -1, and whether there is no room.
 
     A cell to which a cheaper way is found waits once more, and is passed over where its cost is not that of the bucket
     any more. Where a bucket is full, the cell at hand goes back into its own: to go on from there finds the same.
@@ -113,12 +114,12 @@ def _settle(
                 later = np.uint64(reached & _LAST_BUCKET)
                 if sizes[later] == queue.shape[1]:
                     sizes[bucket] += 1
-                    return cost, -1, True
+                    return cost, _NOTHING, True
                 costs[neighbour] = reached
                 queue[later, sizes[later]] = neighbour
                 sizes[later] += 1
         cost += 1
-    return cost, -1, False
+    return cost, _NOTHING, False
 
 
 @njit(cache=True, nogil=True)
