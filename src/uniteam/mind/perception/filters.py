@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.geometry import pixels_of
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.segments import change_detections, keep_detections
 from uniteam.mind.perception.vocabulary import ClassRole, roles_of, roles_of_name
@@ -102,25 +103,37 @@ class FloorFilter:
         indices = [i for i, d in enumerate(segmentation.detections) if roles_of(d, instruction)]
         if not indices:
             return segmentation
-        heights = _heights(observation)
         keep = np.ones(len(segmentation.detections), dtype=bool)
         for index in indices:
             on_object = (segmentation.instances == index) & (observation.depth > 0)
-            keep[index] = self._stands_high(heights[on_object], roles_of(segmentation.detections[index], instruction))
+            roles = roles_of(segmentation.detections[index], instruction)
+            keep[index] = self._stands_high(_heights(observation, on_object), roles)
         return keep_detections(segmentation, keep)
 
     def _stands_high(self, heights: NDArray[np.float32], roles: tuple[ClassRole, ...]) -> bool:
         if heights.size == 0:
             return True
         if ClassRole.OBJECT in roles:
-            return bool(np.percentile(heights, 5) >= self.lowest_object)
-        return bool(np.percentile(heights, 95) >= self.lowest_receptacle)
+            return percentile_reaches(heights, 5, self.lowest_object)
+        return percentile_reaches(heights, 95, self.lowest_receptacle)
 
 
-def _heights(observation: Observation) -> NDArray[np.float32]:
-    """Return the (H, W) height (m above the floor) of what each pixel shows."""
+def percentile_reaches(values: NDArray[np.float32], percent: int, bound: float) -> bool:
+    """Return whether a percentile of (N,) values is at least a bound.
+
+    It lies between two neighbours of the sorted values, so it need be known only where they lie on both sides.
+    """
+    below, rank = len(values) - np.count_nonzero(values >= bound), percent / 100 * (len(values) - 1)
+    if abs(below - rank) > 2:
+        return bool(below < rank)
+    return bool(np.percentile(values, percent) >= bound)
+
+
+def _heights(observation: Observation, mask: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return the (N,) heights (m above the floor) of what the pixels of an (H, W) mask show."""
     camera, to_start = observation.camera, observation.camera_to_start.astype(np.float32)
     u = (np.arange(camera.width, dtype=np.float32) - np.float32(camera.cx)) / np.float32(camera.fx)
     v = (np.arange(camera.height, dtype=np.float32) - np.float32(camera.cy)) / np.float32(camera.fy)
-    rising = to_start[2, 0] * u[None, :] + to_start[2, 1] * v[:, None] + to_start[2, 2]
-    return observation.depth * rising + to_start[2, 3]
+    rows, columns = pixels_of(mask)
+    rising = to_start[2, 0] * u[columns] + to_start[2, 1] * v[rows] + to_start[2, 2]
+    return observation.depth[rows, columns] * rising + to_start[2, 3]
