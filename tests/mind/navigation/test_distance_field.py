@@ -10,7 +10,13 @@ from numpy.typing import NDArray
 
 from uniteam.grid import Mask, disc_mask
 from uniteam.mind.navigation.planning.bucket_queue import FAR, spread
-from uniteam.mind.navigation.planning.distance_field import COST_PER_CELL, distance_field, nearest_target, trace_path
+from uniteam.mind.navigation.planning.distance_field import (
+    COST_PER_CELL,
+    distance_field,
+    nearest_target,
+    straight_distance,
+    trace_path,
+)
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal, line_is_free
 from uniteam.mind.navigation.planning.traversible import connected_to
 
@@ -192,3 +198,17 @@ def test_at_a_bend_the_short_term_goal_is_still_a_whole_step_away() -> None:
     ahead = np.array(find_short_term_goal(free, path, 5).cell)
     assert 4.0 < np.hypot(*(ahead - (10, 11))) < 6.0
     assert ahead[0] >= 14
+
+
+@pytest.mark.parametrize("place", [(60, 70), (0, 3), (119, 90)])
+def test_straight_distances_are_the_same_however_far_they_are_looked_for(place: tuple[int, int]) -> None:
+    cells = disc_mask((120, 91), place, 4)
+    cells[30:33, 80] = True
+    everywhere = straight_distance(cells, CELL)
+    assert np.isfinite(everywhere).all() and everywhere.max() > 2.0
+    for farthest in (0.0, 0.33, 1.0):
+        near = straight_distance(cells, CELL, farthest)
+        is_near = everywhere <= farthest
+        assert np.array_equal(near[is_near], everywhere[is_near])
+        assert (near[~is_near] > farthest).all()
+    assert np.isinf(straight_distance(cells & False, CELL, 1.0)).all()

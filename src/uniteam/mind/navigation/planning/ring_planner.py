@@ -8,12 +8,11 @@ obstacles are dilated by one cell less for the rest of the episode (arXiv 2306.1
 from dataclasses import dataclass
 from functools import lru_cache
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
-from uniteam.grid import Cell, Mask, disc
+from uniteam.grid import Cell, Mask, grown
 from uniteam.interface import DiscreteAction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
@@ -115,9 +114,8 @@ class RingPlanner(Planner):
 
     def _passable(self, bird_map: BirdsEyeMap, window: Window, robot: Cell) -> Mask:
         """Return the window's free cells: neither near an obstacle nor a collision, or visited, or under the robot."""
-        grown = disc(self.dilation)
-        blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), grown).view(np.bool_)
-        felt = cv2.dilate(window.cut(bird_map.felt).view(np.uint8), grown).view(np.bool_)
+        blocked = grown(window.cut(bird_map.obstacle), self.dilation)
+        felt = grown(window.cut(bird_map.felt), self.dilation)
         free = ~(blocked | window.cut(bird_map.collision)) | window.cut(bird_map.visited) & ~felt
         own = self.config.own_cells
         row, column = robot
@@ -128,10 +126,11 @@ class RingPlanner(Planner):
         """Return the free cells near to the goal's but not on them; those on it where nothing else is asked for."""
         if goal.distance == 0.0:
             return free & cells
-        to_goal = straight_distance(cells, cell_size)
+        farthest = goal.distance + max(self.config.patience, default=0.0)
+        to_goal = straight_distance(cells, cell_size, farthest)
         places = free & (to_goal < goal.distance) & (to_goal > 0.0)
         if not places.any():
-            places = free & (to_goal < goal.distance + max(self.config.patience, default=0.0)) & (to_goal > 0.0)
+            places = free & (to_goal < farthest) & (to_goal > 0.0)
         return places
 
 
