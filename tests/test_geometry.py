@@ -98,3 +98,7 @@ def test_the_pixels_of_a_mask_are_those_that_numpy_finds() -> None:
     for part in (mask, mask[3:20, 5:40], mask & False):
         for found, expected in zip(pixels_of(part), np.nonzero(part), strict=True):
             assert np.array_equal(found, expected)
+    rows, columns = np.nonzero(mask)
+    every = -(-len(rows) // 100)
+    for found, expected in zip(pixels_of(mask, 100), (rows[::every], columns[::every]), strict=True):
+        assert 50 < len(found) <= 100 and np.array_equal(found, expected)

@@ -10,7 +10,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import pixels_of
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.segments import change_detections, keep_detections
 from uniteam.mind.perception.vocabulary import ClassRole, roles_of, roles_of_name
@@ -103,11 +102,11 @@ class FloorFilter:
         indices = [i for i, d in enumerate(segmentation.detections) if roles_of(d, instruction)]
         if not indices:
             return segmentation
+        heights = _heights(observation)
         keep = np.ones(len(segmentation.detections), dtype=bool)
         for index in indices:
             on_object = (segmentation.instances == index) & (observation.depth > 0)
-            roles = roles_of(segmentation.detections[index], instruction)
-            keep[index] = self._stands_high(_heights(observation, on_object), roles)
+            keep[index] = self._stands_high(heights[on_object], roles_of(segmentation.detections[index], instruction))
         return keep_detections(segmentation, keep)
 
     def _stands_high(self, heights: NDArray[np.float32], roles: tuple[ClassRole, ...]) -> bool:
@@ -129,11 +128,10 @@ def percentile_reaches(values: NDArray[np.float32], percent: int, bound: float) 
     return bool(np.percentile(values, percent) >= bound)
 
 
-def _heights(observation: Observation, mask: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return the (N,) heights (m above the floor) of what the pixels of an (H, W) mask show."""
+def _heights(observation: Observation) -> NDArray[np.float32]:
+    """Return the (H, W) height (m above the floor) of what each pixel shows."""
     camera, to_start = observation.camera, observation.camera_to_start.astype(np.float32)
     u = (np.arange(camera.width, dtype=np.float32) - np.float32(camera.cx)) / np.float32(camera.fx)
     v = (np.arange(camera.height, dtype=np.float32) - np.float32(camera.cy)) / np.float32(camera.fy)
-    rows, columns = pixels_of(mask)
-    rising = to_start[2, 0] * u[columns] + to_start[2, 1] * v[rows] + to_start[2, 2]
-    return observation.depth[rows, columns] * rising + to_start[2, 3]
+    rising = to_start[2, 0] * u[None, :] + to_start[2, 1] * v[:, None] + to_start[2, 2]
+    return observation.depth * rising + to_start[2, 3]
