@@ -78,12 +78,12 @@ def test_eyes_that_have_just_seen_a_frame_say_of_each_what_new_ones_say(home: Ho
         observation_of(views[5], HEAD_CAMERA_HALF),
     )
     for observation in others:
-        for _ in range(2):
-            seen, expected = eyes.look(observation), Eyes().look(observation)
-            assert len(seen) == len(expected) > 0
-            for one, other in zip(seen, expected, strict=True):
-                assert np.array_equal(one.vector, other.vector) and one.junk == other.junk
-                assert np.array_equal(one.region.mask, other.region.mask)
+        eyes.look(first)
+        seen, expected = eyes.look(observation), Eyes().look(observation)
+        assert len(seen) == len(expected) > 0
+        for one, other in zip(seen, expected, strict=True):
+            assert np.array_equal(one.vector, other.vector) and one.junk == other.junk
+            assert np.array_equal(one.region.mask, other.region.mask)
 
 
 def test_eyes_see_anew_what_has_been_written_over(home: Home, views: list[View]) -> None:
