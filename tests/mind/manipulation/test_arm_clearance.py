@@ -7,7 +7,7 @@ import pytest
 
 from uniteam.interface import Joints
 from uniteam.mind.manipulation.arm_clearance import EMPTY_GRIPPER, Load, SweepConfig, is_sweep_free
-from uniteam.stretch import ARM_AXIS, gripper_to_base
+from uniteam.stretch import ARM_AXIS, WRIST_PITCH_AXIS, gripper_to_base
 
 JOINTS = Joints(lift=0.9, arm=0.4)
 SWEEP = SweepConfig()
@@ -37,9 +37,12 @@ def test_the_arm_touches_what_is_within_the_margin_of_what_hangs_in_the_gripper(
 
 
 @pytest.mark.parametrize(("inside", "is_touched"), [(1e-3, True), (-1e-3, False)])
-def test_the_empty_arm_touches_what_is_within_the_margin_of_its_tube(inside: float, is_touched: bool) -> None:
+def test_the_empty_arm_touches_what_is_within_the_margin_of_its_tube_and_hand(inside: float, is_touched: bool) -> None:
     behind = SWEEP.tube_side - SWEEP.tube_width - SWEEP.margin + inside
     assert touches(behind, -0.5, ARM_AXIS[1] + JOINTS.lift, EMPTY_GRIPPER) is is_touched
+    x, y, z = gripper_to_base(JOINTS)[:3, 3]
+    above = max(z, WRIST_PITCH_AXIS[2] + JOINTS.lift) + SWEEP.hand + SWEEP.margin - inside
+    assert touches(x, y, above, EMPTY_GRIPPER) is is_touched
 
 
 def test_nothing_touches_the_arm_where_nothing_is_seen() -> None:
