@@ -11,6 +11,7 @@ from uniteam.geometry import (
     BasePose,
     PinholeCamera,
     invert_transform,
+    pixels_of,
     pose_matrices,
     pose_matrix,
     quaternion_to_matrix,
@@ -90,3 +91,14 @@ def test_many_poses_are_the_same_to_the_bit_as_one_by_one() -> None:
     for pose, matrix in filled(zip(poses, pose_matrices(poses), strict=True)):
         assert np.array_equal(matrix, pose_matrix(pose[:3], pose[3:]))
     assert pose_matrices(np.empty((0, 7))).shape == (0, 4, 4)
+
+
+def test_the_pixels_of_a_mask_are_those_that_numpy_finds() -> None:
+    mask = np.random.default_rng(0).random((30, 50)) > 0.7
+    for part in (mask, mask[3:20, 5:40], mask & False):
+        for found, expected in zip(pixels_of(part), np.nonzero(part), strict=True):
+            assert np.array_equal(found, expected)
+    rows, columns = np.nonzero(mask)
+    every = -(-len(rows) // 100)
+    for found, expected in zip(pixels_of(mask, 100), (rows[::every], columns[::every]), strict=True):
+        assert 50 < len(found) <= 100 and np.array_equal(found, expected)

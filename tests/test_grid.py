@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from uniteam.grid import Grid, disc, disc_mask
+from uniteam.grid import Grid, disc, disc_mask, draw_disc, grown
 
 GRID = Grid(origin=(-1.0, 2.0), cell_size=0.05)
 
@@ -24,3 +24,22 @@ def test_a_disc_is_as_wide_as_its_radius_and_may_lie_in_part_outside() -> None:
     assert disc(1).tolist() == [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
     assert disc_mask((4, 5), (0, 0), 1).sum() == 3
     assert not disc_mask((4, 5), (-9, -9), 2).any()
+
+
+def test_what_is_grown_lies_in_a_disc_around_some_cell() -> None:
+    cells = np.random.default_rng(5).random((30, 40)) > 0.99
+    expected = np.zeros_like(cells)
+    for row, column in np.argwhere(cells):
+        rows, columns = np.indices(cells.shape)
+        expected |= (rows - row) ** 2 + (columns - column) ** 2 <= 9
+    assert cells.any()
+    assert np.array_equal(grown(cells, 3), expected)
+    assert not grown(cells & False, 3).any()
+
+
+def test_a_disc_is_drawn_and_taken_away_again_where_it_lies_on_the_mask() -> None:
+    mask = np.zeros((20, 20), dtype=np.bool_)
+    draw_disc(mask, (-1, 10), 3)
+    assert np.array_equal(mask, disc_mask(mask.shape, (-1, 10), 3)) and 0 < mask.sum() < 20
+    draw_disc(mask, (-1, 10), 3, value=False)
+    assert not mask.any()

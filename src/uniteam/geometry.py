@@ -97,6 +97,19 @@ class PinholeCamera:
         return np.stack([self.fx * points[..., 0] / z + self.cx, self.fy * points[..., 1] / z + self.cy], axis=-1)
 
 
+def pixels_of(mask: NDArray[np.bool_], most: int | None = None) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return the (N,) rows and columns of an (H, W) mask's pixels, as `np.nonzero` does, but many times faster.
+
+    Args:
+        mask: (H, W).
+        most: so many at most, evenly thinned.
+    """
+    found = np.flatnonzero(mask)
+    every = 1 if most is None else max(1, -(-len(found) // most))
+    rows, columns = np.divmod(found[::every], mask.shape[1])
+    return rows, columns
+
+
 def transform_points(a_to_b: FloatArray, points: FloatArray) -> NDArray[np.float64]:
     """Return (..., 3) points of frame a in frame b, by a (4, 4) rigid transform."""
     return np.asarray(points) @ a_to_b[:3, :3].T + a_to_b[:3, 3]

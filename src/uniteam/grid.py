@@ -54,9 +54,19 @@ def disc(radius: int) -> NDArray[np.uint8]:
 
 def disc_mask(shape: tuple[int, int], centre: Cell, radius: int) -> Mask:
     """Return the (H, W) mask of the cells within `radius` cells of a centre, which may lie outside."""
-    mask = np.zeros(shape, dtype=np.uint8)
-    cv2.circle(mask, (int(centre[1]), int(centre[0])), radius, color=1, thickness=-1)
-    return mask.view(np.bool_)
+    mask = np.zeros(shape, dtype=np.bool_)
+    draw_disc(mask, centre, radius)
+    return mask
+
+
+def draw_disc(mask: Mask, centre: Cell, radius: int, value: bool = True) -> None:
+    """Write a value into the cells of an (H, W) mask within `radius` cells of a centre, which may lie outside."""
+    cv2.circle(mask.view(np.uint8), (int(centre[1]), int(centre[0])), radius, color=int(value), thickness=-1)
+
+
+def grown(cells: Mask, radius: int) -> Mask:
+    """Return the cells within `radius` cells of some of an (H, W) mask; where there are none, it is returned itself."""
+    return cv2.dilate(cells.view(np.uint8), disc(radius)).view(np.bool_) if cells.any() else cells
 
 
 def enlarged(channel: NDArray[_Scalar], corner: Cell, shape: Cell) -> NDArray[_Scalar]:

@@ -1,4 +1,7 @@
-"""Distance fields against fast marching, and paths that keep between obstacles."""
+"""Distance fields against fast marching and a plain heap, and paths that keep between obstacles."""
+
+import heapq
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -6,7 +9,14 @@ import skfmm
 from numpy.typing import NDArray
 
 from uniteam.grid import Mask, disc_mask
-from uniteam.mind.navigation.planning.distance_field import COST_PER_CELL, distance_field, nearest_target, trace_path
+from uniteam.mind.navigation.planning.bucket_queue import FAR, spread
+from uniteam.mind.navigation.planning.distance_field import (
+    COST_PER_CELL,
+    distance_field,
+    nearest_target,
+    straight_distance,
+    trace_path,
+)
 from uniteam.mind.navigation.planning.short_term_goal import find_short_term_goal, line_is_free
 from uniteam.mind.navigation.planning.traversible import connected_to
 
@@ -92,6 +102,44 @@ def test_several_sources_give_the_nearest_ones_distance() -> None:
     assert (both == np.minimum(distance_field(free, a, CELL), distance_field(free, b, CELL))).all()
 
 
+def by_heap(free: Mask, prices: NDArray[np.uint8], sources: Mask) -> dict[tuple[int, int], int]:
+    """Return the least costs by Dijkstra's algorithm with the weights and the rules of `distance_field`."""
+    knights = [(r, c) for r in (-2, -1, 1, 2) for c in (-2, -1, 1, 2) if abs(r) != abs(c)]
+    steps = [(r, c) for r in (-1, 0, 1) for c in (-1, 0, 1) if r or c] + knights
+    costs = {(int(row), int(column)): 0 for row, column in np.argwhere(sources)}
+    heap = [(0, cell) for cell in costs]
+    is_free = np.pad(free, (0, 2))
+    may_pass: dict[int, Callable[[tuple[bool, bool]], bool]] = {1: lambda _: True, 2: any, 3: all}
+    while heap:
+        cost, (row, column) = heapq.heappop(heap)
+        for r, c in steps:
+            half_r, half_c = int(r / 2), int(c / 2)
+            passed = is_free[row + half_r, column + c - half_c], is_free[row + r - half_r, column + half_c]
+            if not (is_free[row + r, column + c] and may_pass[abs(r) + abs(c)](passed)):
+                continue
+            reached = cost + {1: 5, 2: 7, 3: 11}[abs(r) + abs(c)] * int(prices[row + r, column + c])
+            if reached < costs.get((row + r, column + c), FAR):
+                costs[row + r, column + c] = reached
+                heapq.heappush(heap, (reached, (row + r, column + c)))
+    return costs
+
+
+@pytest.mark.parametrize("every", [7, 140])
+def test_costs_are_those_of_a_plain_heap_however_many_cells_wait(every: int) -> None:
+    """A source in every seventh row and column has more cells wait at one cost than there is room for at first."""
+    generator = np.random.default_rng(every)
+    free = generator.random((140, 140)) > 0.1
+    prices = generator.integers(1, 4, free.shape).astype(np.uint8)
+    sources = np.zeros_like(free)
+    sources[::every, ::every] = True
+    costs, row, column = spread(free, prices, sources, np.zeros_like(free))
+    expected = np.full(free.shape, FAR)
+    for cell, cost in by_heap(free, prices, sources).items():
+        expected[cell] = cost
+    assert (row, column) == (-1, -1)
+    assert (costs == expected).all()
+
+
 def test_a_search_stops_at_the_nearest_target_with_the_same_cost_as_the_whole_field() -> None:
     free = cluttered(4)
     targets = np.zeros_like(free)
@@ -150,3 +198,17 @@ def test_at_a_bend_the_short_term_goal_is_still_a_whole_step_away() -> None:
     ahead = np.array(find_short_term_goal(free, path, 5).cell)
     assert 4.0 < np.hypot(*(ahead - (10, 11))) < 6.0
     assert ahead[0] >= 14
+
+
+@pytest.mark.parametrize("place", [(60, 70), (0, 3), (119, 90)])
+def test_straight_distances_are_the_same_however_far_they_are_looked_for(place: tuple[int, int]) -> None:
+    cells = disc_mask((120, 91), place, 4)
+    cells[30:33, 80] = True
+    everywhere = straight_distance(cells, CELL)
+    assert np.isfinite(everywhere).all() and everywhere.max() > 2.0
+    for farthest in (0.0, 0.33, 1.0):
+        near = straight_distance(cells, CELL, farthest)
+        is_near = everywhere <= farthest
+        assert np.array_equal(near[is_near], everywhere[is_near])
+        assert (near[~is_near] > farthest).all()
+    assert np.isinf(straight_distance(cells & False, CELL, 1.0)).all()

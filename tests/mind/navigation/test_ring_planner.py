@@ -128,3 +128,18 @@ def test_collisions_that_shut_the_robot_in_are_forgotten_before_it_stops_where_i
     )
     assert found is not None and found[1].short_term_goal is not None and found[1].reachable
     assert not drive.bird_map.felt.any()
+
+
+def test_a_planner_that_has_searched_before_plans_as_a_new_one_does() -> None:
+    drive, planner = begin()
+    shut_off(drive, 0.6, gap_cells=9)
+    goals = goal_at(drive, 2.0, 0.0), goal_at(drive, 2.0, 1.0)
+    bases = [BasePose(x, y, math.radians(30.0 * k)) for k, (x, y) in enumerate([(0, 0), (0, 0), (0.2, 0.1), (-0.4, 0)])]
+    for goal in (*goals, goals[0]):
+        for base in bases:
+            plan, expected = (p.plan(drive.bird_map, base, goal) for p in (planner, RingPlanner(planner.config)))
+            assert plan.action == expected.action and plan.distance == expected.distance > 1.0
+            assert plan.short_term_goal == expected.short_term_goal
+            assert np.array_equal(plan.path, expected.path)
+    drive.bird_map.obstacle[:, drive.bird_map.to_cell(0.3, 0.0)[1]] = True
+    assert not planner.plan(drive.bird_map, START, goals[0]).reachable

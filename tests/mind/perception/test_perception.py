@@ -13,7 +13,7 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.agents.config import BASELINE
 from uniteam.mind.agents.improvements import improved
-from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds
+from uniteam.mind.perception.filters import FloorFilter, ScoreFilter, Thresholds, percentile_reaches
 from uniteam.mind.perception.registry import make_perception
 from uniteam.mind.perception.threshold_file import read_thresholds
 from uniteam.mind.perception.truth import visible_truth
@@ -183,6 +183,18 @@ def test_floor_filter_drops_what_lies_on_the_floor_and_keeps_what_stands_on_furn
     assert names(believed(BASELINE.filters, seen, observation)) == names(seen)
     better = improved(BASELINE, {"floor_filter"})
     assert names(believed(better.filters, seen, observation)) == names(left)
+
+
+@pytest.mark.parametrize("percent", [5, 50, 95])
+def test_whether_a_percentile_reaches_a_bound_is_what_the_percentile_says(percent: int) -> None:
+    generator = np.random.default_rng(percent)
+    for size in (1, 2, 3, 20, 21, 400):
+        for _ in range(40):
+            heights = np.round(generator.random(size, dtype=np.float32), 2)
+            near = float(np.percentile(heights, percent))
+            for bound in (near, near - 0.003, near + 0.003, float(generator.random())):
+                expected = bool(np.percentile(heights, percent) >= bound)
+                assert percentile_reaches(heights, percent, bound) == expected, (heights, bound)
 
 
 def _changed(observation: Observation, **changes: object) -> Observation:

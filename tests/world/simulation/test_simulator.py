@@ -306,6 +306,30 @@ def test_reset_puts_everything_back(simulator: Simulator) -> None:
     assert np.array_equal(simulator.render().rgb, frame.rgb)
 
 
+def test_a_frame_is_rendered_anew_where_the_robot_or_an_object_has_moved_and_nowhere_else(simulator: Simulator) -> None:
+    simulator.reset(BEFORE_TABLE)
+    simulator.physics.settle()
+    frames = [simulator.render()]
+    for action in (A.EMPTY_ACTION, A.MANIPULATION_MODE, A.EMPTY_ACTION, A.SNAP_OBJECT):
+        simulator.apply(action, CUPS)
+        frames.append(simulator.render())
+    held = simulator.held
+    assert held is not None
+    assert frames[1] is frames[0] and frames[3] is frames[2]
+    assert not np.array_equal(frames[1].rgb, frames[2].rgb)
+    assert not np.array_equal(frames[3].rgb, frames[4].rgb)
+    other = next(name for name in simulator.physics.names if name != held)
+    lifted = simulator.object_pose(other)
+    lifted[2, 3] += 0.5
+    simulator.physics.set_pose(other, lifted)
+    again, geometry = simulator.render(), simulator.render_geometry()
+    assert again is not frames[4]
+    assert np.array_equal(geometry.instances, again.instances)
+    fresh = Simulator(furnished_home(), HEAD_CAMERA_HALF)
+    fresh.return_to(simulator.moment(), simulator.base)
+    assert np.array_equal(fresh.render().rgb, again.rgb)
+
+
 def test_same_actions_give_the_same_bits_in_another_simulator_and_after_a_reset(simulator: Simulator) -> None:
     actions: list[Action] = [
         A.MANIPULATION_MODE,

@@ -37,6 +37,9 @@ class Load:
 
 EMPTY_GRIPPER = Load(0.0, 0.0, 0.0)
 
+_ROUNDING = 1e-4
+"""m; more than what numbers of single precision are off by."""
+
 
 @dataclass(frozen=True)
 class SweepConfig:
@@ -70,8 +73,9 @@ def is_sweep_free(surroundings: Points, joints: Joints, load: Load, config: Swee
         load: what the gripper holds.
         config: the room it takes.
     """
-    points = surroundings[np.hypot(surroundings[:, 0], surroundings[:, 1]) > BASE_RADIUS]
     swept = _tube(joints, config), _hand(joints, config), _load(joints, load, config)
+    points = _near(surroundings, swept, config.margin)
+    points = points[np.hypot(points[:, 0], points[:, 1]) > BASE_RADIUS]
     return not any(bool(np.any(box.holds(points, config.margin))) for box in swept)
 
 
@@ -90,6 +94,16 @@ class _SweptBox:
         beside = np.abs(x - self.middle) < self.half_width + margin
         before = (y < 0) & (y > -self.end - margin)
         return beside & before & (z > self.low - margin) & (z < self.high + margin)
+
+
+def _near(points: Points, boxes: tuple[_SweptBox, ...], margin: float) -> Points:
+    """Return the points that any of the boxes might hold, by x and z alone: to look at all in full takes long."""
+    x, _, z = points.T
+    more = margin + _ROUNDING
+    is_beside = (x > min(b.middle - b.half_width for b in boxes) - more) & (
+        x < max(b.middle + b.half_width for b in boxes) + more
+    )
+    return points[is_beside & (z > min(b.low for b in boxes) - more) & (z < max(b.high for b in boxes) + more)]
 
 
 def _tube(joints: Joints, config: SweepConfig) -> _SweptBox:

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import Point2, transform_points
+from uniteam.geometry import Point2, pixels_of, transform_points
 from uniteam.interface import Observation, Segmentation
 from uniteam.mind.mapping.projection import ROLE_COUNT, MappedFrame
 from uniteam.mind.perception.vocabulary import ClassRole, RoleScores
@@ -35,7 +35,7 @@ def receptacle_pixels(
 ) -> NDArray[np.float64]:
     """Return the (N, 3) pixels of start receptacles: x, y (m, start frame) and the resolution there (m a pixel)."""
     camera, is_start = observation.camera, np.append(scores[:, ClassRole.START_RECEPTACLE] > 0, False)
-    rows, columns = np.nonzero(is_start[segmentation.instances] & (observation.depth > 0))
+    rows, columns = pixels_of(is_start.take(segmentation.instances, mode="wrap") & (observation.depth > 0))
     depth = observation.depth[rows, columns].astype(np.float64)
     points = transform_points(observation.camera_to_start, camera.unproject_pixels(rows, columns, depth))
     return np.column_stack([points[:, :2], depth / camera.fx])

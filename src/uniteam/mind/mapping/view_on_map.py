@@ -53,12 +53,13 @@ def _turn(view: View, frame: MappedFrame) -> tuple[View, Box]:  # pragma: no cov
     """
     size = view.shape[1]
     c, s = ahead(frame.camera_to_grid)
-    is_filled = _filled(view)
+    is_filled = _filled(view, (0, 0, size - 1, size - 1))
+    box = _turned_box(is_filled, c, s)
     turned = np.zeros((2 * size + 1, 2 * size + 1, CHANNELS), dtype=np.float32)
     values = np.zeros(CHANNELS, dtype=np.float32)
     first_row, first_column, last_row, last_column = 2 * size + 1, 2 * size + 1, -1, -1
-    for r in range(2 * size + 1):
-        for k in range(2 * size + 1):
+    for r in range(box[0], box[2] + 1):
+        for k in range(box[1], box[3] + 1):
             x, y = k - size, r - size
             row, column = c * x + s * y, c * y - s * x + size // 2
             inside = -1 < row < size and -1 < column < size
@@ -71,11 +72,25 @@ def _turn(view: View, frame: MappedFrame) -> tuple[View, Box]:  # pragma: no cov
 
 
 @njit(cache=True, nogil=True)
-def _filled(picture: View) -> NDArray[np.bool_]:  # pragma: no cover
-    """Return the (rows, columns) cells of which any channel is more than 0."""
+def _turned_box(is_filled: NDArray[np.bool_], c: float, s: float) -> Box:  # pragma: no cover
+    """Return the part of the turned view in which anything may lie: two cells around what is filled, turned."""
+    size = is_filled.shape[1]
+    first_row, first_column, last_row, last_column = 2 * size, 2 * size, 0, 0
+    for r in range(size):
+        for k in range(size):
+            if is_filled[r, k]:
+                x, y = c * r - s * (k - size // 2) + size, s * r + c * (k - size // 2) + size
+                first_row, last_row = min(first_row, math.floor(y) - 2), max(last_row, math.floor(y) + 3)
+                first_column, last_column = min(first_column, math.floor(x) - 2), max(last_column, math.floor(x) + 3)
+    return max(first_row, 0), max(first_column, 0), min(last_row, 2 * size), min(last_column, 2 * size)
+
+
+@njit(cache=True, nogil=True)
+def _filled(picture: View, box: Box) -> NDArray[np.bool_]:  # pragma: no cover
+    """Return the (rows, columns) cells of which any channel is more than 0; there are none outside of a box."""
     is_filled = np.zeros(picture.shape[:2], dtype=np.bool_)
-    for r in range(picture.shape[0]):
-        for k in range(picture.shape[1]):
+    for r in range(box[0], box[2] + 1):
+        for k in range(box[1], box[3] + 1):
             for channel in range(CHANNELS):
                 is_filled[r, k] |= picture[r, k, channel] > 0
     return is_filled
@@ -107,7 +122,7 @@ def _merge(
     rows, columns = channels.obstacle.shape
     size = turned.shape[1] // 2
     y, x = frame.base[1] * limits.cells_per_metre, frame.base[0] * limits.cells_per_metre
-    is_filled = _filled(turned)
+    is_filled = _filled(turned, box)
     values = np.zeros(CHANNELS, dtype=np.float32)
     first_row, first_column, last_row, last_column = rows, columns, -1, -1
     top, left = math.floor(y) - size, math.floor(x) - size

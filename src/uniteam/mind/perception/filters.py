@@ -113,8 +113,19 @@ class FloorFilter:
         if heights.size == 0:
             return True
         if ClassRole.OBJECT in roles:
-            return bool(np.percentile(heights, 5) >= self.lowest_object)
-        return bool(np.percentile(heights, 95) >= self.lowest_receptacle)
+            return percentile_reaches(heights, 5, self.lowest_object)
+        return percentile_reaches(heights, 95, self.lowest_receptacle)
+
+
+def percentile_reaches(values: NDArray[np.float32], percent: int, bound: float) -> bool:
+    """Return whether a percentile of (N,) values is at least a bound.
+
+    It lies between two neighbours of the sorted values, so it need be known only where they lie on both sides.
+    """
+    below, rank = len(values) - np.count_nonzero(values >= bound), percent / 100 * (len(values) - 1)
+    if abs(below - rank) > 2:
+        return bool(below < rank)
+    return bool(np.percentile(values, percent) >= bound)
 
 
 def _heights(observation: Observation) -> NDArray[np.float32]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import Point3, grain_keys, transform_points
+from uniteam.geometry import Point3, grain_keys, pixels_of, transform_points
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.segments import change_detections
 from uniteam.mind.perception.vocabulary import class_names
@@ -138,9 +138,7 @@ class _Memory:
 
 def _points(observation: Observation, mask: NDArray[np.bool_], most: int) -> NDArray[np.float64]:
     """Return the (N, 3) points (m, start frame) of an (H, W) mask's pixels, evenly thinned to at most so many."""
-    rows, columns = np.nonzero(mask & (observation.depth > 0))
-    every = max(1, -(-len(rows) // most))
-    rows, columns = rows[::every], columns[::every]
+    rows, columns = pixels_of(mask & (observation.depth > 0), most)
     depth = observation.depth[rows, columns].astype(np.float64)
     return transform_points(observation.camera_to_start, observation.camera.unproject_pixels(rows, columns, depth))
 

@@ -25,4 +25,4 @@ def change_detections(segmentation: Segmentation, changed: Sequence[Detection | 
         if detection is not None:
             new_index[index] = len(detections)
             detections.append(detection)
-    return Segmentation(new_index[segmentation.instances], tuple(detections))
+    return Segmentation(new_index.take(segmentation.instances, mode="wrap"), tuple(detections))

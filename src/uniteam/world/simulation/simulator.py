@@ -86,6 +86,7 @@ class Simulator:
         self._watch.restart()
         self._state = RobotState(base, NAVIGATION_POSTURE)
         self._gripper.held = None
+        self._seen_at = self._state, self.physics.version
         self._frame: Frame | None = None
         self._geometry: Geometry | None = None
 
@@ -98,7 +99,6 @@ class Simulator:
         self.physics.restore(moment.physics)
         self._state = RobotState(base, moment.state.joints)
         self._gripper.held = moment.held
-        self._forget_view()
 
     @property
     def floor(self) -> NavigableFloor:
@@ -136,6 +136,7 @@ class Simulator:
 
     def render(self) -> Frame:
         """Return what the head camera sees now; a state is rendered once."""
+        self._forget_what_was_seen_elsewhere()
         if self._frame is None:
             with section("camera"):
                 self._frame = self._view.head(self._state, self.camera, self._gripper.hanging(self._state))
@@ -143,6 +144,7 @@ class Simulator:
 
     def render_geometry(self) -> Geometry:
         """Return what the head camera sees now but for its colours, in less time."""
+        self._forget_what_was_seen_elsewhere()
         if self._frame is not None:
             return self._frame.geometry
         if self._geometry is None:
@@ -169,36 +171,28 @@ class Simulator:
                 events = events.then(self._touch())
             self.physics.advance(STEP_SECONDS)
             self._watch.update()
-        self._forget_view()
         return events
 
     def creep(self, displacement: BaseDisplacement, joints: Joints) -> StepEvents:
         """Move the base by however little, then the joints, while no time passes: for a robot that moves in time."""
-        before = self._state
         events = self._displace(displacement)
-        if joints != self.joints:
-            events = events.then(self._pose(joints))
-        if self._state != before:
-            self._forget_view()
-        return events
+        return events if joints == self.joints else events.then(self._pose(joints))
 
     def wait(self, seconds: float) -> None:
         """Let time pass, in which only objects move."""
-        version = self.physics.version
         with section("physics"):
             self.physics.advance(seconds)
             self._watch.update()
-        if self.physics.version != version:
-            self._forget_view()
 
     def grip(self, closed: bool, rule: GraspRule) -> StepEvents:
         """Close the gripper on what a rule names, or open it, while no time passes."""
-        events = self._do(DiscreteAction.SNAP_OBJECT if closed else DiscreteAction.DESNAP_OBJECT, rule)
-        self._forget_view()
-        return events
+        return self._do(DiscreteAction.SNAP_OBJECT if closed else DiscreteAction.DESNAP_OBJECT, rule)
 
-    def _forget_view(self) -> None:
-        self._frame = self._geometry = None
+    def _forget_what_was_seen_elsewhere(self) -> None:
+        """Forget the view of another state: a robot that is blocked or waits among things at rest sees the same."""
+        now = self._state, self.physics.version
+        if now != self._seen_at:
+            self._seen_at, self._frame, self._geometry = now, None, None
 
     def _do(self, action: Action, rule: GraspRule) -> StepEvents:
         if action is DiscreteAction.SNAP_OBJECT:

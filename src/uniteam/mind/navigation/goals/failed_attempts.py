@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.grid import Mask, disc, disc_mask
+from uniteam.grid import Mask, disc, draw_disc
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal, GoalKind
 from uniteam.mind.navigation.goals.exploration import ChooseGoal
@@ -82,7 +82,7 @@ class Misses:
     def _around(self, bird_map: BirdsEyeMap, points: tuple[tuple[float, float], ...], radius: float) -> Mask:
         mask = np.zeros(bird_map.shape, dtype=np.bool_)
         for x, y in points:
-            mask |= disc_mask(bird_map.shape, bird_map.to_cell(x, y), round(radius / bird_map.cell_size))
+            draw_disc(mask, bird_map.to_cell(x, y), round(radius / bird_map.cell_size))
         return mask
 
 

@@ -3,7 +3,9 @@
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from uniteam.grid import Mask, disc_mask
+import numpy as np
+
+from uniteam.grid import Mask, draw_disc
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 
@@ -102,7 +104,7 @@ class DecayingFailedGoals:
 
     def _around(self, places: list[Point2], bird_map: BirdsEyeMap) -> Mask:
         cells = round(self.radius / bird_map.cell_size)
-        mask = disc_mask(bird_map.shape, bird_map.to_cell(*places[0]), cells)
-        for place in places[1:]:
-            mask |= disc_mask(bird_map.shape, bird_map.to_cell(*place), cells)
+        mask = np.zeros(bird_map.shape, dtype=np.bool_)
+        for place in places:
+            draw_disc(mask, bird_map.to_cell(*place), cells)
         return mask

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from uniteam.geometry import BasePose
-from uniteam.grid import disc_mask
+from uniteam.grid import draw_disc
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
 from uniteam.mind.navigation.goals.exploration import ChooseGoal, any_frontier
@@ -112,5 +112,5 @@ class Commitment:
             return None
         cells = goal.cells.copy()
         for x, y in self.left:
-            cells &= ~disc_mask(bird_map.shape, bird_map.to_cell(x, y), round(self.avoid_radius / bird_map.cell_size))
+            draw_disc(cells, bird_map.to_cell(x, y), round(self.avoid_radius / bird_map.cell_size), value=False)
         return Goal(goal.kind, cells, goal.distance) if cells.any() else None

@@ -14,9 +14,14 @@ HIGHEST_PRICE = 5
 FAR = 1 << 30
 """The cost of a cell to which the search did not come."""
 
+Queue = tuple[NDArray[np.int32], NDArray[np.int64]]
+"""(_BUCKETS, room) the cells that wait in each bucket, and (_BUCKETS,) how many do."""
+
 _BUCKETS = 64
 _LAST_BUCKET = _BUCKETS - 1
+_ROOM = 1024
 _SHUT = -1
+_NOTHING = np.int64(-1)
 _RIM = 2
 _PRICE, _TARGET = 7, 8  # of a cell's ground: a mask for the price, and a bit
 _SIDES = ((0, 1), (1, 0), (0, -1), (-1, 0))
@@ -33,35 +38,71 @@ def spread(
     """Spread from the sources over free cells until a target is settled; return costs and the target or (-1, -1).
 
     The grid has a rim that no step leads beyond, and cells are numbered row by row, so that a neighbour is an offset
-    away. What is shut costs less than any way to it, so that one comparison leaves it and the settled cells out. Every
-    cell is in at most one bucket, a doubly linked list through `after` and `before`.
+    away. What is shut costs less than any way to it, so that one comparison leaves it and the settled cells out.
     """
     rows, columns = free.shape
-    width = columns + 2 * _RIM
     ground, costs = _rimmed(free, prices, targets)
-    offsets, passed = _offsets(width)
-    after = np.empty(costs.size, dtype=np.int32)
-    before = np.empty(costs.size, dtype=np.int32)
-    heads = np.full(_BUCKETS, -1, dtype=np.int32)
-    waiting, cost, found = 0, 0, np.int64(-1)
+    queue, sizes = _queue_of(sources, costs)
+    cost, found, is_full = _settle(ground, costs, columns + 2 * _RIM, queue, sizes, 0)
+    while is_full:
+        queue = _roomier(queue)
+        cost, found, is_full = _settle(ground, costs, columns + 2 * _RIM, queue, sizes, cost)
+    inside = _without_rim(costs, rows, columns)
+    if found < 0:
+        return inside, -1, -1
+    return inside, found // (columns + 2 * _RIM) - _RIM, found % (columns + 2 * _RIM) - _RIM
+
+
+@njit(cache=True, nogil=True)
+def _queue_of(sources: Mask, costs: NDArray[np.int32]) -> Queue:  # pragma: no cover
+    """Return the queue in which the sources wait, and mark that they cost nothing."""
+    rows, columns = sources.shape
+    queue = np.empty((_BUCKETS, _ROOM + sources.sum()), dtype=np.int32)
+    sizes = np.zeros(_BUCKETS, dtype=np.int64)
     for row in range(rows):
         for column in range(columns):
             if sources[row, column]:
-                cell = np.uint64((row + _RIM) * width + column + _RIM)
+                cell = (row + _RIM) * (columns + 2 * _RIM) + column + _RIM
                 costs[cell] = 0
-                _put_in(cell, np.uint64(0), heads, after, before)
-                waiting += 1
-    while waiting > 0 and found < 0:
+                queue[0, sizes[0]] = cell
+                sizes[0] += 1
+    return queue, sizes
+
+
+@njit(cache=True, nogil=True)
+def _roomier(queue: NDArray[np.int32]) -> NDArray[np.int32]:  # pragma: no cover
+    """Return the queue with twice the room in each bucket."""
+    larger = np.empty((_BUCKETS, 2 * queue.shape[1]), dtype=np.int32)
+    larger[:, : queue.shape[1]] = queue
+    return larger
+
+
+@njit(cache=True, nogil=True)
+def _settle(
+    ground: NDArray[np.uint8],
+    costs: NDArray[np.int32],
+    width: int,
+    queue: NDArray[np.int32],
+    sizes: NDArray[np.int64],
+    cost: int,
+) -> tuple[int, np.int64, bool]:  # pragma: no cover
+    """Settle the cells that wait from a cost on; return the cost, the target found or -1, and whether there is no room.
+
+    A cell to which a cheaper way is found waits once more, and is passed over where its cost is not that of the bucket
+    any more. Where a bucket is full, the cell at hand goes back into its own: to go on from there finds the same.
+    """
+    offsets, passed = _offsets(width)
+    empty_in_a_row = 0
+    while empty_in_a_row < _BUCKETS:
         bucket = np.uint64(cost & _LAST_BUCKET)
-        while heads[bucket] >= 0:
-            cell = np.uint64(heads[bucket])
-            heads[bucket] = after[cell]
-            if after[cell] >= 0:
-                before[np.uint64(after[cell])] = -1
-            waiting -= 1
+        empty_in_a_row = empty_in_a_row + 1 if sizes[bucket] == 0 else 0
+        while sizes[bucket] > 0:
+            sizes[bucket] -= 1
+            cell = np.uint64(queue[bucket, sizes[bucket]])
+            if costs[cell] != cost:
+                continue
             if ground[cell] & _TARGET:
-                found = np.int64(cell)
-                break
+                return cost, np.int64(cell), False
             for k in range(16):
                 neighbour = cell + offsets[k]
                 known = costs[neighbour]
@@ -70,17 +111,15 @@ def spread(
                 reached = cost + _WEIGHTS[k] * (ground[neighbour] & _PRICE)
                 if reached >= known or not _may_pass(ground, cell + passed[k, 0], cell + passed[k, 1], k):
                     continue
-                if known < FAR:
-                    _take_out(neighbour, np.uint64(known & _LAST_BUCKET), heads, after, before)
-                else:
-                    waiting += 1
+                later = np.uint64(reached & _LAST_BUCKET)
+                if sizes[later] == queue.shape[1]:
+                    sizes[bucket] += 1
+                    return cost, _NOTHING, True
                 costs[neighbour] = reached
-                _put_in(neighbour, np.uint64(reached & _LAST_BUCKET), heads, after, before)
+                queue[later, sizes[later]] = neighbour
+                sizes[later] += 1
         cost += 1
-    inside = _without_rim(costs, rows, columns)
-    if found < 0:
-        return inside, -1, -1
-    return inside, found // width - _RIM, found % width - _RIM
+    return cost, _NOTHING, False
 
 
 @njit(cache=True, nogil=True)
@@ -137,32 +176,6 @@ def _may_pass(ground: NDArray[np.uint8], cell: np.uint64, other: np.uint64, k: i
     """Return whether the k-th step leads between obstacles, by the two cells that it passes."""
     is_free, other_is_free = ground[cell] & _PRICE > 0, ground[other] & _PRICE > 0
     return k < 4 or (is_free or other_is_free if k < 8 else is_free and other_is_free)
-
-
-@njit(cache=True, nogil=True)
-def _put_in(
-    cell: np.uint64, bucket: np.uint64, heads: NDArray[np.int32], after: NDArray[np.int32], before: NDArray[np.int32]
-) -> None:  # pragma: no cover
-    """Put a cell first in a bucket."""
-    head = heads[bucket]
-    before[cell], after[cell] = -1, head
-    if head >= 0:
-        before[np.uint64(head)] = cell
-    heads[bucket] = cell
-
-
-@njit(cache=True, nogil=True)
-def _take_out(
-    cell: np.uint64, bucket: np.uint64, heads: NDArray[np.int32], after: NDArray[np.int32], before: NDArray[np.int32]
-) -> None:  # pragma: no cover
-    """Take a cell out of its bucket."""
-    one_before, one_after = before[cell], after[cell]
-    if one_before >= 0:
-        after[np.uint64(one_before)] = one_after
-    else:
-        heads[bucket] = one_after
-    if one_after >= 0:
-        before[np.uint64(one_after)] = one_before
 
 
 @njit(cache=True, nogil=True)

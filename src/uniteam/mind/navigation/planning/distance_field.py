@@ -6,6 +6,7 @@ corner step needs one of the two cells beside it free, a knight's move both of t
 through a wall that is one cell thick. A cell may have a price, by which the steps into it are multiplied.
 """
 
+import math
 from typing import NamedTuple
 
 import cv2
@@ -89,8 +90,17 @@ def alike(free: Mask) -> NDArray[np.uint8]:
     return np.ones(free.shape, dtype=np.uint8)
 
 
-def straight_distance(cells: Mask, cell_size: float) -> NDArray[np.float32]:
-    """Return each cell's distance (m) to the nearest of some cells, through everything; inf where there is none."""
-    if not cells.any():
-        return np.full(cells.shape, np.inf, dtype=np.float32)
-    return cv2.distanceTransform((~cells).view(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5) * np.float32(cell_size)
+def straight_distance(cells: Mask, cell_size: float, farthest: float = math.inf) -> NDArray[np.float32]:
+    """Return each cell's distance (m) to the nearest of some cells, through everything; inf where there is none.
+
+    It may also be inf where it is more than `farthest` (m): far from the cells it is not looked for.
+    """
+    distances = np.full(cells.shape, np.inf, dtype=np.float32)
+    x, y, width, height = cv2.boundingRect(cells.view(np.uint8))
+    if width == 0:
+        return distances
+    more = math.ceil(min(farthest / cell_size, max(cells.shape))) + 1
+    box = slice(max(0, y - more), y + height + more), slice(max(0, x - more), x + width + more)
+    in_cells = cv2.distanceTransform((~cells[box]).view(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5)
+    np.multiply(in_cells, np.float32(cell_size), out=distances[box])
+    return distances

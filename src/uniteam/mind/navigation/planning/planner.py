@@ -166,7 +166,7 @@ class Planner:
     def _find_route(self, bird_map: BirdsEyeMap, base: BasePose, goal: Goal) -> _Route:
         window = window_around(bird_map, base, goal.cells)
         robot = window.inside(bird_map.to_cell(base.x, base.y))
-        to_goal = straight_distance(window.cut(goal.cells), bird_map.cell_size)
+        to_goal = straight_distance(window.cut(goal.cells), bird_map.cell_size, max(self._distances(goal)))
         clearance = Clearance.of(bird_map, window)
         prices = self.config.price(clearance)
         shunned = np.zeros_like(to_goal, dtype=np.bool_) if goal.shunned is None else window.cut(goal.shunned)
@@ -182,6 +182,7 @@ class Planner:
             if targets is not None:
                 reach = nearest_target(free, prices, robot, targets)
                 return _Route(window, free, clearance, prices, reach, True, is_daring=True)
+        to_goal = straight_distance(window.cut(goal.cells), bird_map.cell_size)
         nearest = np.where(connected_to(robot, careful), to_goal, np.inf)
         targets = nearest == nearest.min() if np.isfinite(nearest[robot]) else nearest < 0
         targets[robot] |= not targets.any()

@@ -5,14 +5,14 @@ obstacles are dilated by one cell less for the rest of the episode (arXiv 2306.1
 `distance_field`, within 1 % of the fast marching that HomeRobot uses.
 """
 
+from dataclasses import dataclass
 from functools import lru_cache
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import BasePose
-from uniteam.grid import Cell, Mask, disc
+from uniteam.grid import Cell, Mask, grown
 from uniteam.interface import DiscreteAction
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.goal import Goal
@@ -34,6 +34,29 @@ STEEPEST = 1.5
 """A cell whose distance is less by more than so many times its own distance lies behind a wall."""
 
 
+@dataclass(frozen=True)
+class _Field:
+    """The costs of the ways to some places, exact as far as they are no more than those of the robot's.
+
+    Attributes:
+        free, places: (H, W) bool, see `costs_to`.
+        robot: the (row, column) up to which it was searched.
+        costs: (H, W), see `costs_to`.
+    """
+
+    free: Mask
+    places: Mask
+    robot: Cell
+    costs: NDArray[np.int32]
+
+    def of(self, free: Mask, places: Mask, robot: Cell) -> "_Field":
+        """Return the field of a search; this one where it holds all that the robot asks of it: it is often blocked."""
+        is_same = np.array_equal(self.free, free) and np.array_equal(self.places, places)
+        if is_same and self.costs[robot] <= self.costs[self.robot]:
+            return self
+        return _Field(free, places, robot, costs_to(free, places, robot))
+
+
 class RingPlanner(Planner):
     """Plans as HomeRobot does; beside the last motion it remembers how often there was no path."""
 
@@ -42,6 +65,8 @@ class RingPlanner(Planner):
         super().__init__(config)
         self._shrunk = 0
         self._gave_way_at = -1
+        nothing = np.zeros((1, 1), dtype=np.bool_)
+        self._last = _Field(nothing, nothing, (0, 0), nothing.astype(np.int32))
 
     @property
     def dilation(self) -> int:
@@ -53,10 +78,11 @@ class RingPlanner(Planner):
         window = window_around(bird_map, base, goal.cells)
         robot = window.inside(bird_map.to_cell(base.x, base.y))
         free = self._passable(bird_map, window, robot)
-        places = self._places(free, straight_distance(window.cut(goal.cells), bird_map.cell_size), goal)
+        places = self._places(free, window.cut(goal.cells), goal, bird_map.cell_size)
         if goal.shunned is not None:
             places &= ~window.cut(goal.shunned)
-        costs = costs_to(free, places, robot)
+        self._last = self._last.of(free, places, robot)
+        costs = self._last.costs
         distance = float(costs_to_metres(costs[robot][None], bird_map.cell_size)[0])
         is_there = distance <= self.config.tolerance
         step, descends = best_on_ring(costs, robot, self.config.step_cells)
@@ -88,22 +114,23 @@ class RingPlanner(Planner):
 
     def _passable(self, bird_map: BirdsEyeMap, window: Window, robot: Cell) -> Mask:
         """Return the window's free cells: neither near an obstacle nor a collision, or visited, or under the robot."""
-        grown = disc(self.dilation)
-        blocked = cv2.dilate(window.cut(bird_map.obstacle).view(np.uint8), grown).view(np.bool_)
-        felt = cv2.dilate(window.cut(bird_map.felt).view(np.uint8), grown).view(np.bool_)
+        blocked = grown(window.cut(bird_map.obstacle), self.dilation)
+        felt = grown(window.cut(bird_map.felt), self.dilation)
         free = ~(blocked | window.cut(bird_map.collision)) | window.cut(bird_map.visited) & ~felt
         own = self.config.own_cells
         row, column = robot
         free[max(0, row - own) : row + own + 1, max(0, column - own) : column + own + 1] = True
         return free
 
-    def _places(self, free: Mask, to_goal: NDArray[np.float32], goal: Goal) -> Mask:
-        """Return the free cells near to the goal but not on it; those on it where nothing else is asked for."""
+    def _places(self, free: Mask, cells: Mask, goal: Goal, cell_size: float) -> Mask:
+        """Return the free cells near to the goal's but not on them; those on it where nothing else is asked for."""
         if goal.distance == 0.0:
-            return free & (to_goal == 0.0)
+            return free & cells
+        farthest = goal.distance + max(self.config.patience, default=0.0)
+        to_goal = straight_distance(cells, cell_size, farthest)
         places = free & (to_goal < goal.distance) & (to_goal > 0.0)
         if not places.any():
-            places = free & (to_goal < goal.distance + max(self.config.patience, default=0.0)) & (to_goal > 0.0)
+            places = free & (to_goal < farthest) & (to_goal > 0.0)
         return places
 
 

@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 
-from uniteam.grid import Cell, Mask, disc, disc_mask
+from uniteam.grid import Cell, Mask, disc_mask, grown
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.window import Window
 
@@ -24,9 +24,9 @@ def traversible(bird_map: BirdsEyeMap, window: Window, robot: Cell, dilation: in
         own_cells: radius of the robot's own disc, in cells.
     """
     obstacle = window.cut(bird_map.obstacle)
-    blocked = cv2.dilate(obstacle.view(np.uint8), disc(dilation)).view(np.bool_)
+    blocked = grown(obstacle, dilation)
     own = disc_mask(obstacle.shape, robot, own_cells) & ~obstacle
-    felt = cv2.dilate(window.cut(bird_map.felt).view(np.uint8), disc(dilation)).view(np.bool_)
+    felt = grown(window.cut(bird_map.felt), dilation)
     free = ~blocked | own | window.cut(bird_map.visited) & ~felt
     free[robot] = True
     return free

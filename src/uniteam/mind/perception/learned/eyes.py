@@ -52,11 +52,26 @@ class Eyes:
     def __init__(self, folder: Path = WEIGHTS) -> None:
         """Load them; raises DamagedFileError where a file cannot be read."""
         self._segmenter, self._namer = _network(folder / "segmenter.onnx"), _network(folder / "namer.onnx")
+        self._seen: tuple[PinholeCamera, tuple[NDArray[np.generic], ...]] | None = None
+        self._glimpses: list[Glimpse] = []
 
     def look(self, observation: Observation) -> list[Glimpse]:
-        """Return what may be things in an observation."""
-        frame, to_start = half_frame(observation), observation.camera_to_start
-        return self.name(_segmented(self._segmenter, frame, to_start), frame, to_start)
+        """Return what may be things in an observation; the networks are not asked again about what they saw last.
+
+        A simulated robot that waits, or is blocked, sees the same to the bit.
+        """
+        arrays = observation.rgb, observation.depth, observation.camera_to_start
+        if not self._has_seen(observation.camera, arrays):
+            frame, to_start = half_frame(observation), observation.camera_to_start
+            self._glimpses = self.name(_segmented(self._segmenter, frame, to_start), frame, to_start)
+            self._seen = observation.camera, tuple(array.copy() for array in arrays)
+        return list(self._glimpses)
+
+    def _has_seen(self, camera: PinholeCamera, arrays: tuple[NDArray[np.generic], ...]) -> bool:
+        """Return whether just this was seen last."""
+        if self._seen is None or self._seen[0] != camera:
+            return False
+        return all(np.array_equal(array, seen) for array, seen in zip(arrays, self._seen[1], strict=True))
 
     def name(self, regions: list[Region], frame: HalfFrame, camera_to_start: NDArray[np.float64]) -> list[Glimpse]:
         """Return what the namer makes of regions of a frame."""

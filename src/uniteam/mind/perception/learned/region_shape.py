@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.geometry import PinholeCamera
+from uniteam.geometry import PinholeCamera, pixels_of
 
 SHAPE_NUMBERS = 9
 _ENOUGH = 1500
@@ -28,7 +28,7 @@ def region_shape(
         frame; the heights (m) of its lower and upper end above the floor; whether the frame cuts it at a side, and at
         top or bottom. All but the share and the cuts are 0 where depth is missing.
     """
-    rows, columns = np.nonzero(mask)
+    rows, columns = pixels_of(mask)
     height, width = mask.shape
     shape = np.zeros(SHAPE_NUMBERS, dtype=np.float32)
     shape[4] = np.log(len(rows) / (height * width)) / 4.0 + 1.0
