@@ -44,11 +44,13 @@ class InstanceMemory:
         overlap: a detection belongs to the instance that holds at least this share of its grains, or of which it holds
             so much.
         prior: of a detection's being what was asked for, where nothing is known.
+        agreement: n views that agree weigh as n to this power of independent ones: 1 if they were, 0 if one said all.
         most_points: of a detection that are looked at.
     """
 
     overlap: float = 0.3
     prior: float = 0.08
+    agreement: float = 0.5
     most_points: int = 600
 
     def __call__(self) -> Remember:
@@ -130,10 +132,11 @@ class _Memory:
         return best
 
     def _belief(self, instance: _Instance, name: str) -> float:
-        """Return how probable a name is: n views that agree weigh as the root of n that are independent."""
+        """Return how probable a name is, by all views of an instance."""
         prior = _logit(self._config.prior)
         evidence = [_logit(view.scores.get(name, 0.0) / view.frames) - prior for view in instance.views]
-        return float(1.0 / (1.0 + np.exp(-(prior + sum(evidence) / np.sqrt(len(evidence))))))
+        weight = len(evidence) ** (self._config.agreement - 1.0)
+        return float(1.0 / (1.0 + np.exp(-(prior + sum(evidence) * weight))))
 
 
 def _points(observation: Observation, mask: NDArray[np.bool_], most: int) -> NDArray[np.float64]:
