@@ -45,12 +45,15 @@ class InstanceMemory:
             so much.
         prior: of a detection's being what was asked for, where nothing is known.
         agreement: n views that agree weigh as n to this power of independent ones: 1 if they were, 0 if one said all.
+        clear: the share of the frame from which on a view weighs in full; a smaller one weighs less, since what is far
+            looks like nothing in particular, which says little against its being what was asked for.
         most_points: of a detection that are looked at.
     """
 
     overlap: float = 0.3
     prior: float = 0.08
     agreement: float = 0.5
+    clear: float = 0.01
     most_points: int = 600
 
     def __call__(self) -> Remember:
@@ -60,11 +63,15 @@ class InstanceMemory:
 
 @dataclass
 class _View:
-    """What was seen from a place, (x, y) (m) from the instance: the sums of the scores by name, and how many frames."""
+    """What was seen from a place, (x, y) (m) from the instance: the sums of the scores by name, and how many frames.
+
+    Its size is the largest share of a frame that the instance took.
+    """
 
     place: NDArray[np.float64]
     scores: dict[str, float]
     frames: int
+    size: float
 
 
 @dataclass
@@ -116,7 +123,8 @@ class _Memory:
         if len(points) == 0:
             return detection
         instance = self._instance_of(detection, _seen(points))
-        _add_view(instance, detection, (observation.camera_to_start[:3, 3] - points.mean(axis=0))[:2])
+        size = np.count_nonzero(mask) / mask.size
+        _add_view(instance, detection, size, (observation.camera_to_start[:3, 3] - points.mean(axis=0))[:2])
         scores = [(name, self._belief(instance, name)) for name, _ in detection.candidates]
         return Detection(tuple(sorted(scores, key=lambda pair: -pair[1])), detection.embedding)
 
@@ -134,9 +142,13 @@ class _Memory:
     def _belief(self, instance: _Instance, name: str) -> float:
         """Return how probable a name is, by all views of an instance."""
         prior = _logit(self._config.prior)
-        evidence = [_logit(view.scores.get(name, 0.0) / view.frames) - prior for view in instance.views]
-        weight = len(evidence) ** (self._config.agreement - 1.0)
-        return float(1.0 / (1.0 + np.exp(-(prior + sum(evidence) * weight))))
+        weights = [min(1.0, view.size / self._config.clear) for view in instance.views]
+        evidence = sum(
+            weight * (_logit(view.scores.get(name, 0.0) / view.frames) - prior)
+            for weight, view in zip(weights, instance.views, strict=True)
+        )
+        evidence *= max(1.0, sum(weights)) ** (self._config.agreement - 1.0)
+        return float(1.0 / (1.0 + np.exp(-(prior + evidence))))
 
 
 def _points(observation: Observation, mask: NDArray[np.bool_], most: int) -> NDArray[np.float64]:
@@ -156,13 +168,21 @@ def _each(choose: Callable[[float, float], float], one: Point3, other: Point3) -
     return choose(one[0], other[0]), choose(one[1], other[1]), choose(one[2], other[2])
 
 
-def _add_view(instance: _Instance, detection: Detection, from_it: NDArray[np.float64]) -> None:
-    """Add a detection's scores to those of the view it belongs to; `from_it` leads, in x and y, to the camera."""
+def _add_view(instance: _Instance, detection: Detection, size: float, from_it: NDArray[np.float64]) -> None:
+    """Add a detection's scores to those of the view it belongs to.
+
+    Args:
+        instance: what it shows.
+        detection: has the scores.
+        size: the share of the frame that it takes.
+        from_it: (x, y) (m) leads from it to the camera.
+    """
     view = next((view for view in instance.views if _is_same_view(view.place, from_it)), None)
     if view is None:
-        view = _View(from_it, {}, 0)
+        view = _View(from_it, {}, 0, 0.0)
         instance.views.append(view)
     view.frames += 1
+    view.size = max(view.size, size)
     for name, score in detection.candidates:
         view.scores[name] = view.scores.get(name, 0.0) + score
 
