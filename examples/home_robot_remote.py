@@ -1,4 +1,4 @@
-"""Have HomeRobot's own agent evaluated by `uniteam serve`: run this in HomeRobot's environment, with its Python.
+"""Have HomeRobot's own agent evaluated by `uniteam serve NAME`: run this in HomeRobot's environment, with its Python.
 
 With this file and uniteam_client.py in the folder projects/habitat_ovmm of its repository, at the repository's top:
 

@@ -1,4 +1,4 @@
-"""An agent for `uniteam serve` that wanders about; it needs uniteam_client.py and no other part of uniteam.
+"""An agent for `uniteam serve NAME` that wanders about; it needs uniteam_client.py and no other part of uniteam.
 
 python wander_remote.py 127.0.0.1:8085
 """

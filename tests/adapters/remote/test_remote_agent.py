@@ -14,6 +14,7 @@ import pytest
 pytest.importorskip("grpc", reason="the extra 'serve' is not installed")
 
 import uniteam_client
+from worlds.filled import filled
 from worlds.served import LABEL, READY, Offer, Rude, Turner, decide, playing, serve, write_episodes
 
 from uniteam.adapters.remote.agent_server import Place
@@ -107,7 +108,7 @@ def test_an_agent_sees_decides_and_achieves_the_same_to_the_bit_as_in_process(tm
         assert (result.state, result.failure) == (served.results[episode.id].state, served.results[episode.id].failure)
     assert all(served.results[episode.id].measures.overall_success for episode in episodes)
     assert [step.decision for step in steps] == abroad.decided
-    assert all(same(step.observation, seen) for step, seen in zip(steps, abroad.seen, strict=True))
+    assert all(same(step.observation, seen) for step, seen in zip(filled(steps), abroad.seen, strict=True))
 
 
 def same(one: Observation, other: Observation) -> bool:
@@ -153,8 +154,8 @@ def test_the_truth_is_sent_only_in_a_run_that_says_so(two: Path, tmp_path: Path)
 
         serve(Offer(two, tmp_path / perception, perception), [playing(Looker())])
     assert set(truths["own"]) == {None}
-    assert all(isinstance(truth, uniteam_client.Segmentation) and truth.names for truth in truths["truth"])
     assert len(truths["truth"]) == 6
+    assert all(isinstance(truth, uniteam_client.Segmentation) and truth.names for truth in filled(truths["truth"]))
     assert '"perception": "truth"' in (tmp_path / "truth" / "config.json").read_text()
 
 
@@ -162,15 +163,19 @@ def test_nothing_of_the_judge_is_told_before_the_episode_is_over(two: Path, tmp_
     stop = {"kind": "discrete", "name": "stop"}
     rude = Rude(READY, decide(kind="discrete", name="turn_left"), decide(**stop), READY, decide(**stop))
     served = serve(Offer(two, tmp_path), [rude])
+
+    def told(kind: str) -> list[dict[str, Any]]:
+        return [message for message in rude.heard if message["kind"] == kind]
+
     kinds = [message["kind"] for message in rude.heard]
     assert kinds == ["welcome", "reset", "observe", "observe", "over", "reset", "observe", "over", "done"]
-    assert all(set(message) == {"kind", "instruction", "seed"} for message in rude.heard if message["kind"] == "reset")
-    looks = [message for message in rude.heard if message["kind"] == "observe"]
-    assert all(set(message) == {"kind", "frame", "truth"} and message["truth"] is None for message in looks)
+    assert all(set(message) == {"kind", "instruction", "seed"} for message in filled(told("reset")))
+    looks = told("observe")
+    assert all(set(message) == {"kind", "frame", "truth"} and message["truth"] is None for message in filled(looks))
     frame = {"session", "instruction", "seed", "step", "width", "height", "rgb", "depth", "intrinsics"}
     assert all(
         set(message["frame"]) == frame | {"camera_to_start", "base_to_start", "joints", "is_holding"}
-        for message in looks
+        for message in filled(looks)
     )
     assert rude.heard[4]["measures"] == measures_to_data(served.results["e0"].measures)
     assert served.returned == [("OK", "")]
