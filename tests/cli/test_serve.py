@@ -61,7 +61,7 @@ def test_a_run_that_is_stopped_goes_on_with_the_same_command_and_the_same_agent(
     starting: Callable[..., subprocess.Popen[str]], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     write_episodes(tmp_path / "two.jsonl.gz", 2)
-    command = ("--split", "two.jsonl.gz", "--port", free_port(), "--out", "out")
+    command = ("--split", "two.jsonl.gz", "--port", free_port(), "--out", "out", "--perception", "truth")
     first = starting(tmp_path, *command)
     address = address_of(first)
 
@@ -85,11 +85,20 @@ def test_a_run_that_is_stopped_goes_on_with_the_same_command_and_the_same_agent(
     assert [episode.id for episode in played] == ["e0", "e1"]
     assert "1 of 2 episodes were played before" in again and "guest (remote)" in again
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["guest (remote)"]["episode_count"] == 2
-    for reader in (["leaderboard"], ["compare"], ["report", "--out", str(tmp_path / "page.html")]):
+
+    split, out, page = (str(tmp_path / name) for name in ("two.jsonl.gz", "out", "page.html"))
+    beside = ("evaluate", "--agents", "random", "--split", split, "--out", out, "--workers", "1")
+    readings = {
+        beside: "guest",
+        ("leaderboard", out): "guest",
+        ("compare", out): "guest",
+        ("report", out, "--out", page): "",
+    }
+    for reading, name in readings.items():
         with pytest.raises(SystemExit) as ended:
-            main([reader[0], str(tmp_path / "out"), *reader[1:]])
-        assert (reader, ended.value.code) == (reader, 0)
-    assert "guest (remote)" in capsys.readouterr().out
+            main(reading)
+        assert (reading, ended.value.code) == (reading, 0)
+        assert name in capsys.readouterr().out
     assert "guest (remote)" in (tmp_path / "page.html").read_text()
 
 

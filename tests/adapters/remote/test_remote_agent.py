@@ -108,7 +108,7 @@ def test_an_agent_sees_decides_and_achieves_the_same_to_the_bit_as_in_process(tm
         assert (result.state, result.failure) == (served.results[episode.id].state, served.results[episode.id].failure)
     assert all(served.results[episode.id].measures.overall_success for episode in episodes)
     assert [step.decision for step in steps] == abroad.decided
-    assert all(same(step.observation, seen) for step, seen in zip(filled(steps), abroad.seen, strict=True))
+    assert all(same(step.observation, seen) for step, seen in filled(zip(steps, abroad.seen, strict=True)))
 
 
 def same(one: Observation, other: Observation) -> bool:
