@@ -181,6 +181,7 @@ HARMLESS = {
     "robot": ["--speed", "9"],
     "fake-robot": ["--split", "no_such_split"],
     "rehearse": ["--split", "no_such_split"],
+    "serve": ["--port", "70000"],
     "serve-perception": ["--port", "70000"],
     "perception": ["--split", "no_such_split"],
     "train": ["--homes", "0"],

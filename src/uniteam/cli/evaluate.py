@@ -98,11 +98,16 @@ def evaluate(
         workers_used = worker_count(workers, len(evaluation.remaining))
         lost = play_under_bar(evaluation, workers_used, console, record=record)
         evaluation.write_summary()
-        console.print(challenge_table(_rows(evaluation, groups), _caption(evaluation), console.width, shown))
-        _report(evaluation, console)
-        _report_recordings(evaluation, order, console)
+        tell_results(evaluation, groups, order, console)
     if lost:
         raise LostEpisodesError(lost_sentence(lost, evaluation))
+
+
+def tell_results(evaluation: Evaluation, groups: Groups, order: RecordingOrder, console: Console) -> None:
+    """Print the challenge's table, with a row more for each group of episodes, and say where the files are."""
+    console.print(challenge_table(_rows(evaluation, groups), _caption(evaluation), console.width, shown))
+    _report(evaluation, console)
+    _report_recordings(evaluation, order, console)
 
 
 def default_directory(run: Run) -> Path:

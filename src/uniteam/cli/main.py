@@ -95,6 +95,10 @@ COMMANDS = {
         "measure what a robot's drift and latency cost, on fake robots",
         "uniteam rehearse --split minival --episodes 2 --drift 0 0.02 --latency 0 0.1",
     ),
+    "serve": Command(
+        "serve a split's episodes to an agent of another program, Python, container or machine, over gRPC",
+        "uniteam serve my-agent --split minival --port 8085",
+    ),
     "serve-perception": Command(
         "serve a perception to agents on other machines", "uniteam serve-perception owlv2 --port 8712"
     ),

@@ -39,6 +39,7 @@ def play_under_bar(
     make_words: Callable[[Evaluation], Words] = counting_successes,
     group_of: Callable[[Episode], str] = home_of,
     record: str | None = None,
+    beginning: str = "starting (the first time on a machine, compiling)",
 ) -> list[str]:
     """Play what remains under a progress bar; return why episodes were lost.
 
@@ -49,6 +50,7 @@ def play_under_bar(
         make_words: of the evaluation, what stands beside the bar.
         group_of: as `Evaluation.play` takes it.
         record: which episodes to record, as `Evaluation.play` takes it.
+        beginning: what stands beside the bar until the first episode ends.
     """
     remaining, total = len(evaluation.remaining), len(evaluation.attempts)
     directory = shown(evaluation.store.directory)
@@ -65,7 +67,7 @@ def play_under_bar(
     )
     lost: list[str] = []
     with Progress(*columns, console=console, speed_estimate_period=600.0) as progress:
-        bar = progress.add_task("starting (the first time on a machine, compiling)", total=total)
+        bar = progress.add_task(beginning, total=total)
         progress.update(bar, completed=total - remaining)
         words_after = make_words(evaluation)
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 from types import TracebackType
+from typing import Self
 
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.backends.processes import Lost, OutOfTime, WorkerProcesses
@@ -53,7 +54,7 @@ class Evaluation:
         self._wanted = wanted_episodes(run, self.split)
         self.store = ResultStore(directory, self._configuration, ids)
 
-    def __enter__(self) -> "Evaluation":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
@@ -118,14 +119,20 @@ class Evaluation:
         )
         with closing(workers.do(self.remaining, lambda attempt: group_of(self._episode(attempt)))) as outcomes:
             for attempt, outcome in outcomes:
-                episode = self._episode(attempt)
-                if isinstance(outcome, Lost):
-                    self.store.record_lost(attempt.agent, episode.id, outcome.reason, outcome.traceback)
-                    on_lost(attempt.agent, episode, outcome)
-                    continue
-                result = _out_of_time(episode, outcome) if isinstance(outcome, OutOfTime) else outcome
-                self.store.append(attempt.agent, result)
-                on_result(attempt.agent, result)
+                self.keep(attempt, outcome, on_result, on_lost)
+
+    def keep(
+        self, attempt: Attempt, outcome: EpisodeResult | Lost | OutOfTime, on_result: OnResult, on_lost: OnLost
+    ) -> None:
+        """Put what came of an attempt on the disk, and tell it; raises UnwritableError."""
+        episode = self._episode(attempt)
+        if isinstance(outcome, Lost):
+            self.store.record_lost(attempt.agent, episode.id, outcome.reason, outcome.traceback)
+            on_lost(attempt.agent, episode, outcome)
+            return
+        result = _out_of_time(episode, outcome) if isinstance(outcome, OutOfTime) else outcome
+        self.store.append(attempt.agent, result)
+        on_result(attempt.agent, result)
 
     def recordings(self, record: str | None) -> RecordingOrder:
         """Return what `play` would record, and where; raises InvalidInputError where `record` is no such wish."""

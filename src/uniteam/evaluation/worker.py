@@ -1,7 +1,7 @@
 """What a worker process does: it opens the split once and plays the episodes it is handed."""
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from traceback import format_exception
@@ -22,6 +22,7 @@ from uniteam.evaluation.recording.recorder import Recorder
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.warm_up import warm_up
 from uniteam.geometry import PinholeCamera
+from uniteam.interface import Agent
 from uniteam.mind.agents.registry import AGENTS
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
 from uniteam.world.task.environment import Environment
@@ -30,6 +31,8 @@ from uniteam.world.task.grasp_rules import grasp_rule_named
 from uniteam.world.task.splits import load_split
 
 CAMERAS = {"half": HEAD_CAMERA_HALF, "full": HEAD_CAMERA_FULL}
+
+MakeAgent = Callable[[AgentSpec, Environment], Agent]
 
 _log = logging.getLogger(__name__)
 
@@ -57,8 +60,12 @@ class Attempt:
 class EpisodePlayer:
     """Plays attempts at the episodes of one split."""
 
-    def __init__(self, split: Split, setup: "PlayerSetup", charging: Charging) -> None:
+    def __init__(
+        self, split: Split, setup: "PlayerSetup", charging: Charging, make_agent: MakeAgent = AgentSpec.make
+    ) -> None:
+        """Prepare to play; `make_agent` makes of each attempt's specification the agent that plays it."""
         run = setup.run
+        self._make_agent = make_agent
         self._split = split
         self._setup = setup
         self._run = run
@@ -106,7 +113,7 @@ class EpisodePlayer:
 
     def _result(self, environment: Environment, spec: AgentSpec, observer: Observer | None) -> EpisodeResult:
         try:
-            agent = ChargedAgent(lambda: spec.make(environment), self._charging)
+            agent = ChargedAgent(lambda: self._make_agent(spec, environment), self._charging)
             return play_episode(environment, agent, observer)
         except AgentError as error:
             return result_of_exception(environment.episode, error.__cause__ or error, error.steps)
