@@ -104,6 +104,22 @@ def test_an_object_does_not_become_the_receptacle_it_touches() -> None:
         assert detection.candidates == (("cup", pytest.approx(0.2)),)
 
 
+def test_a_small_object_is_told_by_each_frame_alone() -> None:
+    memory = InstanceMemory()()
+    for angle in (0.6, 0.0):
+        score_of(memory, around(angle), "cup", left=(("cup", 0.02),), right=(("cup", 0.02),))
+    assert score_of(memory, around(-0.6), "cup", left=(("cup", 0.6),), right=(("cup", 0.02),)) == 0.6
+
+
+def test_what_is_small_in_view_says_little() -> None:
+    far, near = BasePose(-3.0, 0.3, 0.0), HERE
+    beliefs = []
+    for memory in (InstanceMemory()(), InstanceMemory(clear=1e-6)()):
+        score_of(memory, far, "bed", left=(("bed", 0.02),), right=(("bed", 0.02),))
+        beliefs.append(score_of(memory, near, "bed", left=(("bed", 0.6),), right=(("bed", 0.02),)))
+    assert beliefs[1] < 0.4 < 0.5 < beliefs[0] < 0.6
+
+
 def test_the_switch_is_what_makes_an_agent_remember() -> None:
     assert BASELINE.remember is forget_instances
     frame = seen(HERE, left=(("table", 0.4),), right=(("table", 0.1),))

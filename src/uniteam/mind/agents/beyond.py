@@ -229,7 +229,7 @@ BEYOND: tuple[Improvement, ...] = (
     ),
     replacing(
         "instance_memory",
-        "what a thing is taken for is decided by all views of it together, not by each frame",
+        "what a piece of furniture is taken for is decided by all views of it together, not by each frame",
         remember=InstanceMemory(),
     ),
     replacing(

@@ -3,7 +3,8 @@
 Things are told apart in space, as in ConceptGraphs (Gu et al., arXiv 2309.16650): what a detection shows is part of a
 known instance where enough of its points fall into grains that the instance was seen in. An instance keeps the scores
 of each view, and a detection's own scores give way to what all views together say: one frame that takes a bin for a
-hamper does not make it one.
+hamper does not make it one. That holds for furniture, which is large; a small object is told in its best view, and the
+many from afar say nothing of it, so that it stays with each frame.
 """
 
 from collections.abc import Callable
@@ -15,7 +16,6 @@ from numpy.typing import NDArray
 from uniteam.geometry import Point3, grain_keys, pixels_of, transform_points
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
 from uniteam.mind.perception.segments import change_detections
-from uniteam.mind.perception.vocabulary import class_names
 
 Remember = Callable[[Segmentation, Observation, Instruction], Segmentation]
 """From what one frame shows to what is believed of it after all that came before."""
@@ -53,7 +53,7 @@ class InstanceMemory:
     overlap: float = 0.3
     prior: float = 0.08
     agreement: float = 0.5
-    clear: float = 0.01
+    clear: float = 0.03
     most_points: int = 600
 
     def __call__(self) -> Remember:
@@ -107,8 +107,8 @@ class _Memory:
         self._instances: list[_Instance] = []
 
     def __call__(self, segmentation: Segmentation, observation: Observation, instruction: Instruction) -> Segmentation:
-        """Return the segmentation with the scores that all views of what may be asked for together give."""
-        asked = set(class_names(instruction).values())
+        """Return the segmentation with the scores that all views of what may be an asked receptacle together give."""
+        asked = {instruction.start_receptacle, instruction.goal_receptacle}
         believed = [
             self._believed(detection, observation, segmentation.instances == index)
             if any(name in asked for name, _ in detection.candidates)
