@@ -62,9 +62,7 @@ def test_what_it_sees_and_takes_is_known_before_it_is_reached(tmp_path: Path) ->
 
 
 def test_it_drives_the_robot_and_shows_what_came_of_it(side: FakeBridge, ports: Ports, tmp_path: Path) -> None:
-    reached = robot(ports.first, tmp_path)
-    reached.connect()
-    try:
+    with robot(ports.first, tmp_path) as reached:
         start = side.robot.base
         before = reached.get_observation()
         assert set(before) == set(reached.observation_features)
@@ -78,18 +76,14 @@ def test_it_drives_the_robot_and_shows_what_came_of_it(side: FakeBridge, ports: 
         assert np.abs(after["head"].astype(int) - before["head"]).mean() > 1.0
         with pytest.raises(InvalidActionError, match=r"lacks base_x\.delta"):
             reached.send_action({"stop": 1.0})
-    finally:
-        reached.disconnect()
     assert not reached.is_connected
 
 
 def test_a_dry_run_moves_nothing(side: FakeBridge, ports: Ports, tmp_path: Path) -> None:
-    looking = robot(ports.first, tmp_path, dry_run=True)
-    looking.connect()
-    start = side.robot.base
-    looking.send_action(numbers(BaseDisplacement(x=0.5)))
-    assert side.robot.base == start
-    looking.disconnect()
+    with robot(ports.first, tmp_path, dry_run=True) as looking:
+        start = side.robot.base
+        looking.send_action(numbers(BaseDisplacement(x=0.5)))
+        assert side.robot.base == start
 
 
 def test_pictures_of_other_proportions_and_unsafe_speeds_are_refused(ports: Ports, tmp_path: Path) -> None:
