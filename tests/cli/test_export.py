@@ -1,6 +1,7 @@
 """`uniteam export`: from a run's folder to a file or folder of another program, whole or not at all."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -50,6 +51,29 @@ def test_depth_is_left_out_unless_asked_for(run: Path, tmp_path: Path) -> None:
     assert [key for key in features if "images" in key] == ["observation.images.head"]
 
 
+def test_a_recording_becomes_a_file_for_rerun(
+    run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("rerun", reason="the extra 'rerun' is not installed")
+    (recording,) = (run / "recordings" / "random").iterdir()
+    monkeypatch.chdir(tmp_path)
+    assert call("export", "rerun", f"{run}:random", recording.stem) == 0
+    written = Path(f"{recording.stem}.rrd")
+    assert written.name in capsys.readouterr().out
+    assert written.read_bytes().startswith(b"RRF")
+    assert list(tmp_path.iterdir()) == [tmp_path / written]
+
+
+def test_a_library_that_is_missing_is_named(
+    run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (recording,) = (run / "recordings" / "random").iterdir()
+    monkeypatch.setitem(sys.modules, "rerun", None)
+    assert call("export", "rerun", str(recording), "--out", str(tmp_path / "episode.rrd")) == 2
+    assert "install it with pip install 'uniteam[rerun]'" in capsys.readouterr().err.replace("\n", " ")
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
@@ -58,6 +82,10 @@ def test_depth_is_left_out_unless_asked_for(run: Path, tmp_path: Path) -> None:
         (("lerobot", "RUN", "--successes"), "of 1 recordings none is an overall success"),
         (("lerobot", "RUN", "--out", "."), "'.' is there already"),
         (("lerobot", "none.zip"), "the recording 'none.zip' cannot be read"),
+        (("rerun",), "0 words name no recording"),
+        (("rerun", "a.zip", "b.zip"), "a file for Rerun is of one recording"),
+        (("rerun", "none.zip"), "the recording 'none.zip' cannot be read"),
+        (("rerun", "none.zip", "--out", "none.txt"), "'none.txt' must end in .rrd"),
     ],
 )
 def test_what_cannot_be_exported_is_answered_in_one_sentence_and_leaves_nothing(

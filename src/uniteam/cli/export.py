@@ -10,15 +10,18 @@ from rich.console import Console
 from uniteam.cli.progress import counting
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
-from uniteam.evaluation.analysis.recordings_named import all_recordings_named
+from uniteam.evaluation.analysis.recordings_named import all_recordings_named, recordings_named
 from uniteam.evaluation.recording.recording import Recording, read_recording
-from uniteam.files import new_folder
+from uniteam.files import new_folder, try_output, write_whole
+
+RERUN_SUFFIX = ".rrd"
+USAGE = "RUN[:AGENT] | FILE.zip | RUN EPISODE"
 
 
 def export(
-    program: Annotated[Literal["lerobot"], tyro.conf.Positional],
-    what: Annotated[tuple[str, ...], tyro.conf.Positional, tyro.conf.arg(metavar="RUN[:AGENT]|FILE.zip")] = (),
-    out: Annotated[Path, tyro.conf.arg(metavar="DIR")] = Path("demonstrations"),
+    program: Annotated[Literal["lerobot", "rerun"], tyro.conf.Positional],
+    what: Annotated[tuple[str, ...], tyro.conf.Positional, tyro.conf.arg(metavar=USAGE)] = (),
+    out: Annotated[Path | None, tyro.conf.arg(metavar="DIR|FILE.rrd")] = None,
     depth: Annotated[bool, tyro.conf.FlagCreatePairsOff] = False,
     successes: Annotated[bool, tyro.conf.FlagCreatePairsOff] = False,
 ) -> None:
@@ -27,17 +30,42 @@ def export(
     lerobot makes a dataset of version 3.0 of them (LeRobotDataset): what was seen and felt at each step, what was done,
     and the instruction as its task; for imitation learning and for its viewers.
 
+    rerun writes one recording for the viewer of Rerun, which shows its pictures, its map and what was true in one
+    scene, along its steps: rerun FILE.rrd
+
     Args:
         program: For which.
-        what: Folders of runs that 'uniteam evaluate --record' has recorded, for all their agents, or FOLDER:AGENT for
-            one; or single recordings.
-        out: The folder to make.
-        depth: Depth too, which not every policy takes.
-        successes: Only episodes with overall success.
+        what: For lerobot, folders of runs that 'uniteam evaluate --record' has recorded, for all their agents, or
+            FOLDER:AGENT for one; or single recordings. For rerun, one recording, or the folder of a run and the id of
+            an episode.
+        out: What to make: for lerobot a folder, "demonstrations" by default; for rerun a file, which by default has the
+            name of the recording.
+        depth: For lerobot: depth too, which not every policy takes.
+        successes: For lerobot: only episodes with overall success.
     """
-    files = all_recordings_named(what)
     console = make_console()
-    _export_lerobot(files, out, depth, successes, console)
+    if program == "rerun":
+        _export_rerun(what, out, console)
+    else:
+        _export_lerobot(all_recordings_named(what), out or Path("demonstrations"), depth, successes, console)
+
+
+def _export_rerun(what: Sequence[str], out: Path | None, console: Console) -> None:
+    from uniteam.visualization.rerun_file.content import rerun_file
+
+    files = recordings_named(what)
+    if len(files) > 1:
+        raise InvalidInputError("a file for Rerun is of one recording; name one, or RUN:AGENT and the episode")
+    path = out or Path(f"{files[0].stem}{RERUN_SUFFIX}")
+    try_output(path, (RERUN_SUFFIX,))
+    with console.status("reading"):
+        recording = read_recording(files[0])
+    with counting(console, "writing", len(recording.steps) + 1) as advance:
+        content = rerun_file(recording, advance)
+    write_whole(path, content)
+    console.print(
+        f"For Rerun: {shown(path)} ({len(content) / 1e6:.1f} MB); see it with: rerun {shown(path)}", soft_wrap=True
+    )
 
 
 def _export_lerobot(files: Sequence[Path], out: Path, depth: bool, successes: bool, console: Console) -> None:
