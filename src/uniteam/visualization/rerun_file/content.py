@@ -11,6 +11,9 @@ from tempfile import TemporaryDirectory
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.recording.recording import Recording
 from uniteam.evaluation.recording.step_line import RecordedStep
@@ -51,7 +54,7 @@ def _write(rerun: ModuleType, path: Path, recording: Recording, advance: Callabl
     stream = rerun.RecordingStream(APPLICATION, recording_id=name, send_properties=False)
     stream.set_log_time_enabled(False)  # when the file was written says nothing of the episode
     stream.set_log_tick_enabled(False)
-    stream.save(str(path), default_blueprint=layout(rerun))
+    stream.save(str(path), default_blueprint=layout(rerun, _way(recording)))
     stream.send_recording_name(name)
     _log(rerun, stream, recording, advance)
     stream.flush()
@@ -80,11 +83,19 @@ def _log(rerun: ModuleType, stream: Any, recording: Recording, advance: Callable
     frames.finish()
 
 
+def _way(recording: Recording) -> NDArray[np.float64]:
+    """Return where the robot believed to be at each moment, (M, 2) (m)."""
+    bases = (recording.base_to_start(moment) for moment in range(len(recording.steps) + 1))
+    return np.array([(base.x, base.y) for base in bases])
+
+
 def _log_episode(rerun: ModuleType, stream: Any, recording: Recording) -> None:
     """Log what does not change: the axes, the robot's size, what was asked, and the names of the measures."""
     stream.log(paths.WORLD, rerun.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
     middle = [(0.0, 0.0, ROBOT_HEIGHT / 2)]
-    body = rerun.Cylinders3D(lengths=[ROBOT_HEIGHT], radii=[BASE_RADIUS], centers=middle, colors=[ROBOT])
+    body = rerun.Cylinders3D(
+        lengths=[ROBOT_HEIGHT], radii=[BASE_RADIUS], centers=middle, colors=[ROBOT], fill_mode="solid"
+    )
     stream.log(f"{paths.ROBOT}/body", body, static=True)
     ahead = rerun.Arrows3D(vectors=[(0.6, 0.0, 0.0)], origins=[(0.0, 0.0, 0.05)], colors=[ROBOT])
     stream.log(f"{paths.ROBOT}/ahead", ahead, static=True)
