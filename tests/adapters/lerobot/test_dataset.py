@@ -198,6 +198,13 @@ def test_a_large_film_is_followed_by_another(
         assert len(list(film.decode(video=0))) == 6
 
 
+def test_the_same_recordings_give_the_same_files(made: Made, recorded: tuple[Played, ...], tmp_path: Path) -> None:
+    again = write(tmp_path / "made", recorded).root
+    files = filled(sorted(path.relative_to(again) for path in again.rglob("*") if path.is_file()))
+    for file in files:
+        assert (again / file).read_bytes() == (made.root / file).read_bytes()
+
+
 def test_what_makes_no_dataset_is_refused(recorded: tuple[Played, ...], tmp_path: Path) -> None:
     with pytest.raises(InvalidInputError, match="at least one episode"):
         DatasetWriter(tmp_path, HEAD_CAMERA_HALF, with_depth=False).finish()

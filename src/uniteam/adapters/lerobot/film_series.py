@@ -45,7 +45,7 @@ COLOUR = FilmKind(
     "yuv420p",
     "rgb24",
     3,
-    {"preset": "veryfast", "crf": "20", "bf": "0"},
+    {"preset": "veryfast", "crf": "20", "bf": "0", "tune": "zerolatency"},
     {"video.crf": 20, "video.preset": "veryfast", "is_depth_map": False},
 )
 """With losses that are hardly seen."""
@@ -123,7 +123,7 @@ class FilmSeries:
         self._stream.height, self._stream.width = self._size
         self._stream.pix_fmt = self._kind.pixel_format
         self._stream.time_base = Fraction(1, FRAMES_PER_SECOND)
-        self._stream.codec_context.thread_count = 1  # the same bytes every time
+        self._stream.codec_context.thread_count = 1  # with the encoder's options, the same bytes every time
         self._stream.gop_size = KEY_FRAMES
         self._stream.options = dict(self._kind.options)
         self._number, self._count, self._bytes = number, 0, 0
