@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from uniteam.errors import InvalidInputError
-from uniteam.files import UnwritableError, try_folder, try_output, write_whole
+from uniteam.files import UnwritableError, new_folder, try_folder, try_output, write_whole
 
 
 def test_what_is_written_whole_replaces_what_was_there_and_leaves_nothing_else(tmp_path: Path) -> None:
@@ -62,3 +62,25 @@ def test_what_cannot_be_written_is_one_sentence(tmp_path: Path, name: str) -> No
         try_output(tmp_path / name / "out.json")
     with pytest.raises(UnwritableError, match="cannot be written"):
         try_folder(tmp_path / name / "out")
+
+
+def test_a_new_folder_is_there_whole_or_not_at_all(tmp_path: Path) -> None:
+    with pytest.raises(ZeroDivisionError), new_folder(tmp_path / "a" / "new") as folder:
+        (folder / "half").write_text("of it")
+        raise ZeroDivisionError
+    assert list((tmp_path / "a").iterdir()) == []
+    with new_folder(tmp_path / "a" / "new") as folder:
+        (folder / "file").write_text("all of it")
+        assert not (tmp_path / "a" / "new").exists()
+    assert [path.name for path in (tmp_path / "a").iterdir()] == ["new"]
+    assert (tmp_path / "a" / "new" / "file").read_text() == "all of it"
+
+
+def test_a_new_folder_takes_the_place_of_nothing(tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    with pytest.raises(InvalidInputError, match="is there already"), new_folder(tmp_path / "mine"):
+        pass
+    (tmp_path / "file").touch()
+    with pytest.raises(UnwritableError, match="cannot be written"), new_folder(tmp_path / "file" / "new"):
+        pass
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "mine"]

@@ -2,7 +2,10 @@
 
 import json
 import os
+import shutil
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -89,6 +92,29 @@ def _replace(path: Path, content: bytes) -> None:
     finally:
         partial.unlink(missing_ok=True)
     sync_folder(path.parent)
+
+
+@contextmanager
+def new_folder(path: Path) -> Iterator[Path]:
+    """Give a folder to fill, which is there under its name only once that has been done without an error.
+
+    Raises:
+        InvalidInputError: there is something of that name already.
+        UnwritableError: as the system says.
+    """
+    if path.exists():
+        raise InvalidInputError(f"'{path}' is there already; remove it, or choose another name")
+    partial = path.with_name(f"{path.name[:200]}.{os.getpid()}.partial")
+    try:
+        try_folder(path.parent)
+        partial.mkdir()
+        yield partial
+        partial.rename(path)
+        sync_folder(path.parent)
+    except OSError as error:
+        raise UnwritableError(path, error) from error
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
 
 
 def file_name(label: str) -> str:

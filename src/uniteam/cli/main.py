@@ -79,6 +79,10 @@ COMMANDS = {
         "make one page of a recording, or of two of the same episode beside each other, for any browser",
         "uniteam replay episode.zip --out episode.html",
     ),
+    "export": Command(
+        "write recordings for other programs: a dataset for LeRobot, or one for the viewer of Rerun",
+        "uniteam export lerobot runs/val-truth-half-challenge:oracle --out demonstrations",
+    ),
     "replay-check": Command(
         "ask an agent again upon what a recording saw, and name the first step that differs",
         "uniteam replay-check episode.zip --without edge_margin",

@@ -15,21 +15,16 @@ from uniteam.evaluation.agent_spec import label_agents
 from uniteam.evaluation.body_loop import BodyRun, Task, act_in
 from uniteam.interface import Decision, Instruction
 from uniteam.mind.agents.registry import is_told_the_truth, make_agent
-from uniteam.world.real.bridge_link import BridgeLink
-from uniteam.world.real.channel import Channel
+from uniteam.world.real.connect import connect
 from uniteam.world.real.dry_run import DryRunLink
-from uniteam.world.real.link import RobotLink, RobotState, View
+from uniteam.world.real.link import RobotState, View
 from uniteam.world.real.motions import Motion, first_motions
-from uniteam.world.real.pace import Pace, Patience
 from uniteam.world.real.robot_errors import RunStopError
 from uniteam.world.real.safety import FASTEST, FASTEST_TURN, SafetyLimits
-from uniteam.world.real.stretch_body_link import connect_stretch_body
 from uniteam.world.real.stretch_robot import StretchRobot
-from uniteam.world.real.system_clock import SystemClock
-from uniteam.world.real.zmq_wire import OBSERVATION_PORT, ZmqWire
+from uniteam.world.real.zmq_wire import OBSERVATION_PORT
 
 CONSENT = "go"
-HERE = "here"
 
 
 def robot(
@@ -86,7 +81,7 @@ def robot(
     mind = make_agent(spec.name, spec.perception, spec.added, spec.removed)
     console, task = make_console(), Task(Instruction(object_, start, goal), seed, steps)
     with console.status(f"connecting to {shown(host)}"):
-        link = _connected(host, port, limits)
+        link = connect(host, port, limits)
     try:
         view = link.glance()
         _check_sees(view, spec.needs_truth, spec.perception)
@@ -112,19 +107,6 @@ def _limits(speed: float, turn_speed: float, fence: float) -> SafetyLimits:
         if not 0.0 < value <= most:
             raise InvalidInputError(f"--{name} must be above 0 and at most {most:g}, got {value:g}")
     return SafetyLimits(speed, turn_speed, fence)
-
-
-def _connected(host: str, port: int, limits: SafetyLimits) -> RobotLink:
-    if host == HERE:
-        return connect_stretch_body(limits)
-    if not 1 <= port <= 65_532:
-        raise InvalidInputError(f"--port must be from 1 to 65532, for it is the first of four, got {port}")
-    wire, pace, patience = ZmqWire(host, port), Pace(), Patience()
-    try:
-        return BridgeLink(Channel(wire, SystemClock(), limits.stale, pace, patience), limits, pace, patience)
-    except BaseException:
-        wire.close()
-        raise
 
 
 def _check_sees(view: View, needs_truth: bool, perception: str) -> None:

@@ -12,6 +12,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from uniteam.adapters.action_vector import action_bounds, action_of
 from uniteam.errors import InvalidActionError
 from uniteam.interface import (
     ACTION_LIMITS,
@@ -98,6 +99,20 @@ class Columns:
                 f"an action must be {len(self.names)} finite numbers ({', '.join(self.names)}), got {numbers}"
             )
         return np.clip(numbers, -1.0, 1.0)
+
+
+@dataclass(frozen=True)
+class Metric:
+    """An action as the 15 numbers that datasets hold, in metres and radians (`uniteam.adapters.action_vector`)."""
+
+    @property
+    def space(self) -> gymnasium.spaces.Box:
+        """(15,) float32."""
+        return gymnasium.spaces.Box(*action_bounds(), dtype=np.float32)
+
+    def read(self, given: Any, joints: Joints, is_holding: bool) -> Action:
+        """Return the action of 15 numbers; what is beyond the bounds is cut."""
+        return action_of(given)
 
 
 @dataclass(frozen=True)

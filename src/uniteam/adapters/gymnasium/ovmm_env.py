@@ -10,7 +10,8 @@ from uniteam.world.task.grasp_rules import grasp_rule_named
 class OvmmEnv(TaskEnv):
     """Move an object from a receptacle to another, in at most 1,250 steps.
 
-    Actions are the challenge's discrete ones, or columns with `actions="continuous"`.
+    Actions are the challenge's discrete ones, columns with `actions="continuous"`, or with `actions="metric"` the
+    numbers that datasets of demonstrations hold.
     """
 
     def __init__(self, grasp: str = "challenge", **options: Any) -> None:

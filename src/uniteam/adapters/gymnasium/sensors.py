@@ -104,6 +104,12 @@ def joint_vector(joints: Joints) -> NDArray[np.float32]:
     return np.array([*arm, joints.lift, *wrist, joints.head_pan, joints.head_tilt], np.float32)
 
 
+def joints_of_vector(vector: NDArray[np.float32]) -> Joints:
+    """Return the joints that `joint_vector` made a vector of."""
+    *arm, lift, yaw, pitch, roll, pan, tilt = map(float, vector)
+    return Joints(lift, sum(arm), yaw, pitch, roll, pan, tilt)
+
+
 @lru_cache(maxsize=256)
 def _embedding(category: str) -> NDArray[np.float32]:
     return np.asarray(load_words().meaning(category).vector, np.float32)

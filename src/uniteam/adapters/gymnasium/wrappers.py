@@ -7,8 +7,10 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.adapters.gymnasium.sensors import DEPTH
+from uniteam.adapters.gymnasium.sensors import COMPASS, DEPTH, GPS, IS_HOLDING, JOINTS, RGB, joints_of_vector
+from uniteam.adapters.state_vector import STATE_NAMES, state_vector
 from uniteam.errors import InvalidInputError
+from uniteam.geometry import BasePose
 
 Spaces = dict[str, gymnasium.Space[Any]]
 
@@ -78,6 +80,40 @@ class SmallPictures(gymnasium.ObservationWrapper[dict[str, Any], Any, dict[str, 
     def observation(self, observation: dict[str, Any]) -> dict[str, Any]:
         """Return the observation with its pictures shrunk."""
         return {**observation, **{name: shrink(observation[name]) for name in self._images}}
+
+
+class PixelsAndState(gymnasium.ObservationWrapper[dict[str, Any], Any, dict[str, Any]]):
+    """Show of the whole task what datasets of demonstrations hold: the head camera and what the robot feels of itself.
+
+    `pixels` has the picture `head`, (H, W, 3) uint8; `agent_pos` is (11,) float32 in the order of
+    `uniteam.adapters.state_vector.STATE_NAMES`. So LeRobot looks for them.
+    """
+
+    def __init__(self, env: gymnasium.Env[Any, Any]) -> None:
+        """Wrap an environment of the whole task.
+
+        Raises:
+            InvalidInputError: it is another.
+        """
+        super().__init__(env)
+        spaces, wanted = _spaces(env), (RGB, JOINTS, GPS, COMPASS, IS_HOLDING)
+        if lacking := [sensor.name for sensor in wanted if sensor.name not in spaces]:
+            raise InvalidInputError(f"this wrapper needs uniteam/OVMM-v0; {', '.join(lacking)} is not observed here")
+        state = gymnasium.spaces.Box(-np.inf, np.inf, (len(STATE_NAMES),), np.float32)
+        pixels = gymnasium.spaces.Dict({"head": spaces[RGB.name]})
+        self.observation_space = gymnasium.spaces.Dict({"pixels": pixels, "agent_pos": state})
+
+    @property
+    def task(self) -> str:
+        """The instruction, where LeRobot looks for words; it can be sent to another process, which a `Task` cannot."""
+        return str(self.get_wrapper_attr("task_description"))
+
+    def observation(self, observation: dict[str, Any]) -> dict[str, Any]:
+        """Return the picture and the state."""
+        base = BasePose(*map(float, (*observation[GPS.name], *observation[COMPASS.name])))
+        joints = joints_of_vector(observation[JOINTS.name])
+        state = state_vector(joints, base, bool(observation[IS_HOLDING.name]))
+        return {"pixels": {"head": observation[RGB.name]}, "agent_pos": state}
 
 
 def shrink(picture: NDArray[Any]) -> NDArray[Any]:

@@ -34,6 +34,36 @@ def recordings_named(words: Sequence[str]) -> list[Path]:
     return found
 
 
+def all_recordings_named(words: Sequence[str]) -> list[Path]:
+    """Return the files of recordings that are named one by one, and all recordings of runs, each once.
+
+    Args:
+        words: each a "FILE", a "RUN" for all its agents, or "RUN:AGENT".
+
+    Raises:
+        InvalidInputError: there is no word, or a run has no recording.
+        UniteamError: a folder is no run, or an agent is not in it.
+    """
+    if not words:
+        raise InvalidInputError("give recordings: FILE.zip, or the folder of a run, RUN or RUN:AGENT")
+    found: dict[Path, None] = {}
+    for word in words:
+        files = [Path(word)] if word.endswith(SUFFIX) else _all_of_run(word)
+        found |= dict.fromkeys(files)
+    return list(found)
+
+
+def _all_of_run(name: str) -> list[Path]:
+    """Return all recordings of the agents that "RUN" or "RUN:AGENT" names; at least one."""
+    paths = (recording_of(agent, episode) for agent in contestants_named([name]) for episode in agent.results)
+    found = [path for path in paths if path.is_file()]
+    if not found:
+        raise InvalidInputError(
+            f"'{name}' has no recording; play it with 'uniteam evaluate --record all' into a new folder"
+        )
+    return found
+
+
 def _of_run(name: str, episode: str) -> list[Path]:
     """Return the recordings of an episode by the agents that "RUN" or "RUN:AGENT" names; at least one."""
     agents = contestants_named([name])

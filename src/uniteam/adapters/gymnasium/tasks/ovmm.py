@@ -13,6 +13,7 @@ from uniteam.adapters.gymnasium.controls import (
     NAVIGATION_MODE,
     STOP,
     Columns,
+    Metric,
 )
 from uniteam.adapters.gymnasium.open_home import OpenHome
 from uniteam.adapters.gymnasium.sensors import (
@@ -79,6 +80,6 @@ def ovmm(grasp: EpisodeGraspRule) -> Task:
             RGB, DEPTH, OBJECTS, START_RECEPTACLES, GOAL_RECEPTACLES, RECEPTACLES,
             OBJECT_EMBEDDING, START_RECEPTACLE, GOAL_RECEPTACLE, GPS, COMPASS, JOINTS, IS_HOLDING,
         ),
-        {"discrete": EVERY_ACTION, "continuous": arm},
+        {"discrete": EVERY_ACTION, "continuous": arm, "metric": Metric()},
         begin,
     )  # fmt: skip

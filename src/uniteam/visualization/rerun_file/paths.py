@@ -1,0 +1,18 @@
+"""The names of what is shown in Rerun: one place for who logs it and who lays it out."""
+
+WORLD = "world"
+"""The frame in which the robot believes to have started: x forward, y left, z up (m)."""
+ROBOT = "world/robot"
+HEAD = "world/head"
+CAMERA = "world/head/camera"
+COLOUR = "world/head/camera/colour"
+SEGMENTATION = "world/head/camera/segmentation"
+DEPTH = "world/head/depth"
+MAP, GOAL, SHORT_TERM_GOAL, WAY = "world/map", "world/plan/goal", "world/plan/short_term_goal", "world/plan/way"
+TRUE_BASE, TRUE_OBJECTS, TRUE_GOALS = "world/truth/base", "world/truth/objects", "world/truth/goals"
+DECISIONS, STATE, TROUBLE = "agent/decisions", "agent/state", "agent/trouble"
+SUCCESS, COLLISIONS = "measures/success", "measures/collisions"
+EPISODE = "episode"
+
+TIMELINE = "step"
+"""How many steps have been taken."""
