@@ -79,6 +79,9 @@ COMMANDS = {
         "make one page of a recording, or of two of the same episode beside each other, for any browser",
         "uniteam replay episode.zip --out episode.html",
     ),
+    "figures": Command(
+        "draw the figures of the UniTeam report from runs of our agents", "uniteam figures --out figures"
+    ),
     "replay-check": Command(
         "ask an agent again upon what a recording saw, and name the first step that differs",
         "uniteam replay-check episode.zip --without edge_margin",
