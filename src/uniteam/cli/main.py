@@ -57,7 +57,7 @@ COMMANDS = {
     ),
     "swap": Command(
         "replace one module at a time by the truth, and count the failures that this heals",
-        "uniteam swap --split val --agents uniteam-plus --modules pick place --episodes 100",
+        "uniteam swap --split val --agents uniteam-plus --modules exploration pick place --episodes 100",
     ),
     "leaderboard": Command(
         "score results anew from the line of each episode, by style and by seen and unseen",
