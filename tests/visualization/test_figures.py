@@ -20,6 +20,14 @@ from uniteam.visualization.map_window import MapWindow
 
 SIZE = (800, 600)
 
+PROTANOPIA = np.array(
+    [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]]
+)
+DEUTERANOPIA = np.array(
+    [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]]
+)
+"""What such a reader sees of a linear RGB colour: Machado, Oliveira and Fernandes (2009), doi:10.1109/TVCG.2009.113."""
+
 
 @pytest.fixture(scope="module")
 def search() -> Moment:
@@ -78,6 +86,20 @@ def test_the_colours_are_those_that_the_report_names() -> None:
     assert all(0.03 < hue[k] < 0.12 for k in (1, 2))  # orange
     assert value[1] < 0.8 < value[2] and saturation[1] > 0.9 > saturation[2]  # dark and light orange
     assert value[4] < 0.5 < value[0] < 0.8 < value[3]  # dark blue, blue and light blue
+
+
+@pytest.mark.parametrize("sees", [PROTANOPIA, DEUTERANOPIA])
+def test_colour_blind_readers_tell_the_colours_apart(sees: np.ndarray) -> None:
+    names = ["UNEXPLORED_START", "EXPLORED_START", "GOAL_RECEPTACLE", "GOAL_POINT", "CHOSEN_POINT"]
+    names += ["FRONTIER", "OBSTACLE", "FREE", "UNKNOWN", "OBJECT"]
+    given = np.array([getattr(colors, name) for name in names]) / 255.0
+    linear = np.where(given <= 0.04045, given / 12.92, ((given + 0.055) / 1.055) ** 2.4)
+    seen = np.clip(linear @ sees.T, 0.0, 1.0)
+    encoded = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** (1 / 2.4) - 0.055)
+    lab = cv2.cvtColor(encoded[None].astype(np.float32), cv2.COLOR_RGB2LAB)[0]
+    apart = np.linalg.norm(lab[:, None] - lab, axis=-1) + 100.0 * np.eye(len(names))
+    closest = np.unravel_index(apart.argmin(), apart.shape)
+    assert apart.min() > 17.0, [names[k] for k in closest]
 
 
 def test_points_to_go_to_are_light_blue_and_the_chosen_one_dark_blue(search: Moment) -> None:

@@ -21,11 +21,11 @@ GOAL_POINT: Color = (100, 200, 248)
 CHOSEN_POINT: Color = (8, 24, 110)
 """Dark blue: where it goes."""
 
-FRONTIER: Color = (0, 158, 115)
-OBJECT: Color = (204, 60, 150)
-UNKNOWN: Color = (205, 208, 214)
+FRONTIER: Color = (0, 178, 128)
+OBJECT: Color = (240, 228, 66)
+UNKNOWN: Color = (192, 196, 204)
 FREE: Color = (248, 248, 249)
-OBSTACLE: Color = (98, 102, 110)
+OBSTACLE: Color = (88, 92, 100)
 COLLISION: Color = (120, 0, 0)
-PATH: Color = (70, 90, 170)
+PATH: Color = CHOSEN_POINT
 ROBOT: Color = (25, 27, 31)
