@@ -8,7 +8,7 @@ from worlds.runs import result, write_run
 from uniteam.cli.main import main
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.agent_spec import AgentSpec
-from uniteam.evaluation.analysis.swap_plan import plan_swaps
+from uniteam.evaluation.analysis.swap_plan import MODULES, plan_swaps
 
 
 def call(*arguments: str) -> int:
@@ -18,15 +18,18 @@ def call(*arguments: str) -> int:
 
 
 def test_the_plan_has_each_agent_as_it_is_and_with_one_module_replaced() -> None:
-    plan = plan_swaps(["baseline"], "noisy:1", ["perception", "pick", "place"])
+    plan = plan_swaps(["baseline"], "noisy:1", list(MODULES))
     assert plan.agents == {
         "baseline": AgentSpec("baseline", "noisy:1"),
         "baseline, perception by the truth": AgentSpec("baseline", "truth"),
+        "baseline, map by the truth": AgentSpec("true-map:baseline", "noisy:1"),
+        "baseline, exploration by the truth": AgentSpec("true-exploration:baseline", "noisy:1"),
+        "baseline, navigation by the truth": AgentSpec("true-navigation:baseline", "noisy:1"),
         "baseline, pick by the truth": AgentSpec("true-pick:baseline", "noisy:1"),
         "baseline, place by the truth": AgentSpec("true-place:baseline", "noisy:1"),
     }
     assert [(swap.as_it_is, swap.module) for swap in plan.swaps] == [
-        ("baseline", module) for module in ("perception", "pick", "place")
+        ("baseline", module) for module in ("perception", "map", "exploration", "navigation", "pick", "place")
     ]
     with pytest.raises(InvalidInputError, match="perception is the truth already"):
         plan_swaps(["baseline"], "truth", ["perception"])

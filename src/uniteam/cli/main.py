@@ -57,7 +57,7 @@ COMMANDS = {
     ),
     "swap": Command(
         "replace one module at a time by the truth, and count the failures that this heals",
-        "uniteam swap --split val --agents uniteam-plus --modules pick place --episodes 100",
+        "uniteam swap --split val --agents uniteam-plus --modules exploration pick place --episodes 100",
     ),
     "leaderboard": Command(
         "score results anew from the line of each episode, by style and by seen and unseen",
@@ -82,6 +82,9 @@ COMMANDS = {
     "export": Command(
         "write recordings for other programs: a dataset for LeRobot, or one for the viewer of Rerun",
         "uniteam export lerobot runs/val-truth-half-challenge:oracle --out demonstrations",
+    ),
+    "figures": Command(
+        "draw the figures of the UniTeam report from runs of our agents", "uniteam figures --out figures"
     ),
     "replay-check": Command(
         "ask an agent again upon what a recording saw, and name the first step that differs",

@@ -17,13 +17,13 @@ from uniteam.evaluation.results.run_folder import read_run
 from uniteam.evaluation.statistics.library import distributions
 from uniteam.mind.perception.registry import check_ready
 
-Module = Literal["perception", "pick", "place"]
+Module = Literal["perception", "map", "exploration", "navigation", "pick", "place"]
 
 
 def swap(
     agents: tuple[str, ...] = ("uniteam-plus",),
     split: str = "val",
-    modules: tuple[Module, ...] = ("pick", "place"),
+    modules: tuple[Module, ...] = ("map", "exploration", "navigation", "pick", "place"),
     perception: str = "truth",
     episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
@@ -39,8 +39,10 @@ def swap(
     Args:
         agents: Which agents: names, or a configuration of your own as MODULE:ATTRIBUTE.
         split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
-        modules: What to replace: perception (of --perception learned or another), pick (once the robot is at the
-            object, it is grasped as the episode's certificate says), place (likewise).
+        modules: What to replace: perception (of --perception learned or another), map (the true obstacles, as far as
+            the agent has seen), exploration (it is told where object and goal receptacles are), navigation (true paths
+            and exact motions), pick (once the robot is at the object, it is grasped as the episode's certificate says),
+            place (likewise).
         perception: What the agents see with, as for evaluate.
         episodes: How many episodes, taken from the homes in turn; all by default.
         workers: How many processes; by default as many as there are cores and memory for.

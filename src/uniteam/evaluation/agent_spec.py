@@ -6,6 +6,9 @@ from typing import Any
 
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.truth_parts.part_agent import TRUE_PICK, TRUE_PLACE
+from uniteam.evaluation.truth_parts.true_exploration import TRUE_EXPLORATION
+from uniteam.evaluation.truth_parts.true_map import TRUE_MAP
+from uniteam.evaluation.truth_parts.true_navigation import TRUE_NAVIGATION
 from uniteam.interface import Agent
 from uniteam.mind.agents.registry import (
     AGENTS,
@@ -34,6 +37,9 @@ class _OracleFactory:
 
 
 AGENTS.register(ORACLE, _OracleFactory(), module=__name__)
+AGENTS.register("true-map", TRUE_MAP, module=__name__)
+AGENTS.register("true-exploration", TRUE_EXPLORATION, module=__name__)
+AGENTS.register("true-navigation", TRUE_NAVIGATION, module=__name__)
 AGENTS.register("true-pick", TRUE_PICK, module=__name__)
 AGENTS.register("true-place", TRUE_PLACE, module=__name__)
 

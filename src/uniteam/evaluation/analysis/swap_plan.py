@@ -10,12 +10,15 @@ TRUTH = "truth"
 
 MODULES: Mapping[str, str] = {
     "perception": "what is seen is what is there",
+    "map": "where something stands is what stands there, as far as the agent has seen",
+    "exploration": "the agent is told where the objects and the goal receptacles that count are",
+    "navigation": "it drives along the oracle's paths over the true floor, with exact motions",
     "pick": "once it is at the object, it is grasped as the episode's certificate says",
     "place": "once it is at the receptacle, the object is put down as the certificate says",
 }
 """The modules that can be replaced, and what then happens."""
 
-_FAMILIES = {"pick": "true-pick", "place": "true-place"}
+_FAMILIES = {module: f"true-{module}" for module in MODULES if module != "perception"}
 
 
 @dataclass(frozen=True)

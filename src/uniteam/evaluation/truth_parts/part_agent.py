@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import Protocol
 
-from uniteam.errors import InvalidInputError
 from uniteam.evaluation.truth_parts.true_pick import TruePick
 from uniteam.evaluation.truth_parts.true_place import TruePlace
+from uniteam.evaluation.truth_parts.truth_family import MakeAgent, truth_family
 from uniteam.interface import (
     Action,
     Agent,
@@ -15,10 +15,10 @@ from uniteam.interface import (
     Instruction,
     JointDisplacement,
     Observation,
+    Perception,
 )
 from uniteam.mind.agents.config import AgentConfig
-from uniteam.mind.agents.registry import AGENTS, AgentContext, build_agent
-from uniteam.registry import Family
+from uniteam.mind.agents.heuristic_agent import HeuristicAgent
 from uniteam.world.oracle.pilot import Pilot
 from uniteam.world.task.environment import Environment
 
@@ -86,40 +86,14 @@ class PartAgent:
             yield JointDisplacement(joints - simulator.joints)
 
 
-class _PartAgentFactory:
-    """Makes an agent of which one part is replaced."""
+def with_part(part: TruePart) -> MakeAgent:
+    """Return what makes agents of which a part is played by what takes its place."""
 
-    needs_truth = True
+    def make(config: AgentConfig, perception: Perception, environment: Environment) -> Agent:
+        return PartAgent(HeuristicAgent(config, perception), environment, part)
 
-    def __init__(self, inner: str, part: TruePart) -> None:
-        self._inner, self._part = inner, part
-        self.outside_modules = (inner.partition(":")[0],) if ":" in inner else ()
-
-    def __call__(self, context: AgentContext) -> Agent:
-        if not isinstance(context.environment, Environment):
-            raise InvalidInputError("parts are replaced in the simulator's environment only; choose another agent")
-        agent = build_agent(self._inner, AGENTS.get(self._inner), AgentContext(context.perception, None))
-        return PartAgent(agent, context.environment, self._part)
+    return make
 
 
-def part_family(part: TruePart, words: str) -> Family[_PartAgentFactory]:
-    """Return the family of agents of which a part is replaced, by the agent's name.
-
-    Args:
-        part: what takes its place.
-        words: what is replaced, in half a sentence.
-    """
-
-    def member(inner: str) -> _PartAgentFactory:
-        if not isinstance(AGENTS.get(inner), AgentConfig):
-            raise InvalidInputError(
-                f"no part of agent '{inner}' can be replaced, since it is not made of a configuration; choose "
-                "baseline, uniteam, uniteam-plus or a configuration of your own"
-            )
-        return _PartAgentFactory(inner, part)
-
-    return Family(words, "AGENT", "uniteam-plus", member, default="uniteam-plus")
-
-
-TRUE_PICK = part_family(TruePick(), "an agent that picks by the truth, once it is at the object")
-TRUE_PLACE = part_family(TruePlace(), "an agent that places by the truth, once it is at the receptacle")
+TRUE_PICK = truth_family(with_part(TruePick()), "an agent that picks by the truth, once it is at the object")
+TRUE_PLACE = truth_family(with_part(TruePlace()), "an agent that places by the truth, once it is at the receptacle")

@@ -61,6 +61,11 @@ class HeuristicAgent:
         self._base, self._explained = observation.base_to_start, segmentation
         return Decision(move.action, state.value, move.reason)
 
+    @property
+    def board(self) -> Blackboard:
+        """What it knows of the episode, for those who draw it: to be read, not changed."""
+        return self._board
+
     def explain(self) -> Explanation:
         """Return what was seen, the map and the plan behind the last decision."""
         board = self._board

@@ -102,11 +102,12 @@ class FloorFilter:
         indices = [i for i, d in enumerate(segmentation.detections) if roles_of(d, instruction)]
         if not indices:
             return segmentation
-        heights = _heights(observation)
+        above_floor = heights(observation)
         keep = np.ones(len(segmentation.detections), dtype=bool)
         for index in indices:
             on_object = (segmentation.instances == index) & (observation.depth > 0)
-            keep[index] = self._stands_high(heights[on_object], roles_of(segmentation.detections[index], instruction))
+            roles = roles_of(segmentation.detections[index], instruction)
+            keep[index] = self._stands_high(above_floor[on_object], roles)
         return keep_detections(segmentation, keep)
 
     def _stands_high(self, heights: NDArray[np.float32], roles: tuple[ClassRole, ...]) -> bool:
@@ -128,7 +129,7 @@ def percentile_reaches(values: NDArray[np.float32], percent: int, bound: float) 
     return bool(np.percentile(values, percent) >= bound)
 
 
-def _heights(observation: Observation) -> NDArray[np.float32]:
+def heights(observation: Observation) -> NDArray[np.float32]:
     """Return the (H, W) height (m above the floor) of what each pixel shows."""
     camera, to_start = observation.camera, observation.camera_to_start.astype(np.float32)
     u = (np.arange(camera.width, dtype=np.float32) - np.float32(camera.cx)) / np.float32(camera.fx)

@@ -33,6 +33,14 @@ class PathField:
         self._goal = goal
         self._costs = _costs_to(floor.cells, *floor.to_cell(*goal), np.float32(BASE_RADIUS))
 
+    @property
+    def costs(self) -> NDArray[np.float32]:
+        """(R, C) float32: of the ways from the floor's cells to the goal (m of comfortable driving).
+
+        They are infinite where there is no way, and on the cells that lie between those of the search.
+        """
+        return self._costs
+
     def path_from(self, x: float, y: float) -> list[Point2]:
         """Return the points (m, world) to drive straight to, one after the other, the goal last; none without a way."""
         start = self._nearest_node(x, y)
