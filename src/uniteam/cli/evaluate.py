@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 import tyro
 from rich.console import Console
+from rich.filesize import decimal
 
 import uniteam
 from uniteam.cli.perceptions import as_folder, perception_name
@@ -19,7 +20,7 @@ from uniteam.evaluation.backends.capacity import allowed_cores, most_workers
 from uniteam.evaluation.configuration import Run
 from uniteam.evaluation.episode_choice import shard_named
 from uniteam.evaluation.evaluation import Evaluation
-from uniteam.evaluation.recording.order import RecordingOrder, recording_path
+from uniteam.evaluation.recording.order import RecordingOrder
 from uniteam.evaluation.results.summary import summarize
 from uniteam.world.task.splits import split_label
 
@@ -45,7 +46,7 @@ def evaluate(
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
     breakdown: Annotated[str | None, tyro.conf.arg(metavar="TAG")] = None,
-    record: Annotated[str | None, tyro.conf.arg(metavar="all|failures|N")] = None,
+    record: Annotated[str | None, tyro.conf.arg(metavar="all|failures|actions|N")] = None,
     episode_seconds: Annotated[float, tyro.conf.arg(metavar="S")] = 3600.0,
     shard: Annotated[str | None, tyro.conf.arg(metavar="I/N")] = None,
 ) -> None:
@@ -73,7 +74,8 @@ def evaluate(
         breakdown: Add rows by what makes episodes differ: unseen (whether the object's category is in no training
             home), style, area, rooms, shortest_path, least_clearance, object_height, object_pixels, goals, same_class.
         record: Which episodes to record, each into a file of its own below the directory of the results: all, failures
-            (those without overall success), or how many of the first ones.
+            (those without overall success), or how many of the first ones; actions keeps of all of them the actions
+            alone, a few kilobytes each, which is what 'uniteam verify' needs.
         episode_seconds: How long an episode may take; one that takes longer is ended, and fails if it was the agent
             that took so long.
         shard: Play one part of N only, such as 2/4, into a folder of its own: the parts can be played at the same time
@@ -166,13 +168,13 @@ def _report_recordings(evaluation: Evaluation, order: RecordingOrder, console: C
     if not order.episodes:
         return
     asked = [
-        recording_path(order.folder, agent, result.episode)
+        order.path(agent, result.episode)
         for agent in evaluation.run.agents
         for result in evaluation.results().get(agent, [])
         if result.episode in order.episodes and order.is_kept(result)
     ]
-    sizes = [path.stat().st_size / 1e6 for path in asked if path.is_file()]
-    size = f" of {fmean(sizes):.1f} MB on average, the largest {max(sizes):.1f} MB" if sizes else ""
+    sizes = [path.stat().st_size for path in asked if path.is_file()]
+    size = f" of {decimal(int(fmean(sizes)))} on average, the largest {decimal(max(sizes))}" if sizes else ""
     console.print(f"Recordings: {len(sizes)}{size}, in {shown(order.folder)}.", soft_wrap=True)
     if len(sizes) < len(asked):
         console.print(

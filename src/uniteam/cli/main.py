@@ -51,6 +51,10 @@ COMMANDS = {
         "make one run of the shards of a run",
         "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
     ),
+    "verify": Command(
+        "play some of a run's episodes again from their recorded actions, and compare every measure",
+        "uniteam verify runs/val-truth-half-challenge --episodes 20",
+    ),
     "ablate": Command(
         "measure what each improvement is worth, alone, taken away and one after the other",
         "uniteam ablate --split val --perception truth --episodes 100",
