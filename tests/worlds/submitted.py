@@ -33,7 +33,7 @@ def write_submission(folder: Path) -> Path:
     lines = []
     for episode, kind in ((split.episodes[0], ACTIONS_ALONE), (split.episodes[5], EVERYTHING)):
         environment = Environment(split.homes[episode.home], episode)
-        recorder = kind.begin(environment, provenance_of(AGENT, spec, configuration))
+        recorder = kind.begin(environment, provenance_of(AGENT, spec, "minival", configuration))
         result = play_episode(environment, Reciter(SCRIPT), recorder)
         recorder.write(recording_path(folder / RECORDINGS, AGENT, episode.id, kind.suffix), result)
         lines.append(result_to_line(AGENT, result))

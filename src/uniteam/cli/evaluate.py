@@ -18,6 +18,7 @@ from uniteam.evaluation.analysis.breakdown import Groups, grouped
 from uniteam.evaluation.analysis.table import Row, challenge_table
 from uniteam.evaluation.backends.capacity import allowed_cores, most_workers
 from uniteam.evaluation.configuration import Run
+from uniteam.evaluation.engines import in_processes, on_ray
 from uniteam.evaluation.episode_choice import shard_named
 from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.recording.order import RecordingOrder
@@ -49,6 +50,7 @@ def evaluate(
     record: Annotated[str | None, tyro.conf.arg(metavar="all|failures|actions|N")] = None,
     episode_seconds: Annotated[float, tyro.conf.arg(metavar="S")] = 3600.0,
     shard: Annotated[str | None, tyro.conf.arg(metavar="I/N")] = None,
+    engine: Literal["processes", "ray"] = "processes",
 ) -> None:
     """Play a split's episodes with one or more agents, in parallel, and print the challenge's table.
 
@@ -80,6 +82,8 @@ def evaluate(
             that took so long.
         shard: Play one part of N only, such as 2/4, into a folder of its own: the parts can be played at the same time
             on several machines, and 'uniteam merge' makes one run of them.
+        engine: What plays: processes of this machine, or a Ray cluster (ray), that of RAY_ADDRESS or one that runs
+            here; --workers is then how many homes are played at a time, by default one for each core of the cluster.
     """
     check_at_least_one(episodes=episodes, workers=workers)
     if not agents:
@@ -96,8 +100,9 @@ def evaluate(
     with opened as evaluation:
         groups = {} if breakdown is None else grouped(evaluation.wanted, breakdown)
         order = evaluation.recordings(record)
-        workers_used = worker_count(workers, len(evaluation.remaining))
-        lost = play_under_bar(evaluation, workers_used, console, record=record)
+        play_on, count = ENGINES[engine]
+        at_once = count(workers, len(evaluation.remaining))
+        lost = play_under_bar(evaluation, at_once, console, record=record, engine=play_on)
         evaluation.write_summary()
         console.print(challenge_table(_rows(evaluation, groups), _caption(evaluation), console.width, shown))
         _report(evaluation, console)
@@ -128,6 +133,15 @@ def worker_count(asked: int | None, jobs: int) -> int:
         why = f"there are cores and memory for {room}" if count == room else f"{jobs} episodes are to be played"
         make_console(stderr=True).print(f"[yellow]{count} workers instead of {asked}: {why}.[/]", soft_wrap=True)
     return count
+
+
+def task_count(asked: int | None, jobs: int) -> int:
+    """Return how many tasks to give to a cluster at a time: all, where nothing is asked, since it has them wait."""
+    return asked or max(jobs, 1)
+
+
+ENGINES = {"processes": (in_processes, worker_count), "ray": (on_ray, task_count)}
+"""By name, what plays a run, and how many attempts at a time."""
 
 
 def lost_sentence(lost: list[str], evaluation: Evaluation) -> str:

@@ -9,6 +9,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 
 from uniteam.cli.terminal import Interrupted, shown
 from uniteam.evaluation.backends.processes import Lost
+from uniteam.evaluation.engines import Engine, in_processes
 from uniteam.evaluation.evaluation import Evaluation, home_of
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Episode
@@ -39,6 +40,7 @@ def play_under_bar(
     make_words: Callable[[Evaluation], Words] = counting_successes,
     group_of: Callable[[Episode], str] = home_of,
     record: str | None = None,
+    engine: Engine = in_processes,
 ) -> list[str]:
     """Play what remains under a progress bar; return why episodes were lost.
 
@@ -49,6 +51,7 @@ def play_under_bar(
         make_words: of the evaluation, what stands beside the bar.
         group_of: as `Evaluation.play` takes it.
         record: which episodes to record, as `Evaluation.play` takes it.
+        engine: what plays them, as `Evaluation.play` takes it.
     """
     remaining, total = len(evaluation.remaining), len(evaluation.attempts)
     directory = shown(evaluation.store.directory)
@@ -83,7 +86,7 @@ def play_under_bar(
             log(agent, episode.id, f"lost: {outcome.reason}")
 
         try:
-            evaluation.play(worker_count, advance, note_lost, group_of, record)
+            evaluation.play(worker_count, advance, note_lost, group_of, record, engine)
         except KeyboardInterrupt as stop:
             kept = total - len(evaluation.remaining)
             progress.update(bar, description="stopped")

@@ -96,7 +96,7 @@ class EpisodePlayer:
         forget_recordings(order.folder, attempt.agent, environment.episode.id)
         if environment.episode.id not in order.episodes:
             return self._result(environment, spec, None)
-        provenance = provenance_of(attempt.agent, spec, self._setup.configuration)
+        provenance = provenance_of(attempt.agent, spec, self._run.split, self._setup.configuration)
         recorder = order.kind.begin(environment, provenance)
         result = self._result(environment, spec, recorder)
         if order.is_kept(result):
