@@ -29,7 +29,7 @@ def test_actions_come_back_and_the_same_ones_give_the_same_bytes(tmp_path: Path)
 
 
 def test_numbers_of_numpy_are_written_too(tmp_path: Path) -> None:
-    action = BaseDisplacement(np.float64(0.1), np.float32(0.5), 0.0)
+    action = BaseDisplacement(np.float64(0.1), np.float32(0.5), 0.0)  # type: ignore[arg-type]
     write_actions(tmp_path / "a", "mine", "e1", [action])
     assert read_actions(tmp_path / "a", "mine", "e1") == (BaseDisplacement(0.1, 0.5, 0.0),)
 
