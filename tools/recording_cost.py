@@ -61,7 +61,7 @@ def main(split: str = "minival", agents: tuple[str, ...] = ("uniteam-plus",), ep
             episode = loaded.episodes[index]
             environment = Environment(loaded.homes[episode.home], episode, give_truth=spec.needs_truth)
             warm_up(environment, spec.make(environment))
-            source = provenance_of(name, spec, configuration)
+            source = provenance_of(name, spec, split, configuration)
             costs.append(measure(environment, spec.make(environment), source, recorded_first=turn % 2 == 1))
             print(f"{name}, {episode.id}: {costs[-1]}", flush=True)
         total = Cost(*(sum(getattr(cost, field) for cost in costs) for field in ("steps", "size", "plain", "recorded")))

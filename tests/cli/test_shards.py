@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 
 from uniteam.cli.main import main
+from uniteam.evaluation.recording.order import RECORDINGS, recording_path
+from uniteam.evaluation.recording.recording import read_recording
+from uniteam.evaluation.results.result import result_from_line
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split, write_split
 
@@ -41,9 +44,10 @@ def kill_after(folder: Path, size: int, *arguments: str) -> None:
 @pytest.mark.slow
 def test_shards_that_are_killed_and_taken_up_make_the_run_that_was_not(tmp_path: Path) -> None:
     whole, parts, out = tmp_path / "whole", [tmp_path / f"part{k}" for k in (1, 2)], tmp_path / "out"
-    subprocess.run(command(*PLAY, "--out", str(whole)), check=True, stdout=subprocess.DEVNULL)
+    play = (*PLAY, "--record", "all")
+    subprocess.run(command(*play, "--out", str(whole)), check=True, stdout=subprocess.DEVNULL)
     for number, part in enumerate(parts, start=1):
-        given = (*PLAY, "--shard", f"{number}/2", "--out", str(part))
+        given = (*play, "--shard", f"{number}/2", "--out", str(part))
         kill_after(part, 0 if number == 1 else -1, *given)  # after the first result, and before any
         kill_after(part, 1500, *given)
         with (part / "results.jsonl").open("ab") as file:
@@ -52,7 +56,13 @@ def test_shards_that_are_killed_and_taken_up_make_the_run_that_was_not(tmp_path:
     assert call("merge", *map(str, parts), "--out", str(out)) == 0
     for name in ("summary.json", "config.json"):
         assert (out / name).read_bytes() == (whole / name).read_bytes()
-    assert len((out / "results.jsonl").read_text().splitlines()) == 10
+    lines = (out / "results.jsonl").read_text().splitlines()
+    assert len(lines) == 10
+    for line in lines:
+        agent, result = result_from_line(line)
+        recording = read_recording(recording_path(out / RECORDINGS, agent, result.episode))
+        assert recording.result == result
+    assert sum(path.is_file() for path in (out / RECORDINGS).rglob("*")) == 10
 
 
 @pytest.fixture(scope="module")

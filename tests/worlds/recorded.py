@@ -69,7 +69,7 @@ def record_made(path: Path, make: Callable[[Environment], Agent], spec: AgentSpe
     chosen = split.episodes[episode]
     environment = Environment(split.homes[chosen.home], chosen, give_truth=spec.needs_truth)
     configuration = resolve(Run("minival", {spec.name: spec}, spec.perception, "half"), split)
-    recorder = Recorder(environment, provenance_of(spec.name, spec, configuration))
+    recorder = Recorder(environment, provenance_of(spec.name, spec, "minival", configuration))
     steps: list[Step] = []
 
     def observe(step: Step) -> None:

@@ -13,8 +13,9 @@ import uniteam_client
 
 from uniteam.adapters.remote.agent_server import Place
 from uniteam.adapters.remote.messages import PROTOCOL
-from uniteam.adapters.remote.served_evaluation import RemoteSpec, ServedEvaluation, label_of
+from uniteam.adapters.remote.served_episodes import RemoteSpec, ServedEpisodes, label_of
 from uniteam.evaluation.configuration import Run
+from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split, write_split
@@ -63,16 +64,22 @@ def serve(offer: Offer, clients: Sequence[Client]) -> Served:
     served = Served()
     spec = RemoteSpec("guest", offer.perception)
     run = Run(str(offer.split), {LABEL: spec}, offer.perception, "half", episode_seconds=offer.episode_seconds)
-    with ServedEvaluation(run, offer.folder, offer.place, offer.answer_seconds, served.notices.append) as evaluation:
+    episodes = ServedEpisodes(offer.place, offer.answer_seconds, served.notices.append)
+    with Evaluation(run, offer.folder) as evaluation:
+        engine = episodes.engine(evaluation.split)
 
         def call(client: Client) -> None:
             try:
-                served.returned.append(client(evaluation.address))
+                served.returned.append(client(episodes.address))
             except uniteam_client.ServerError as error:
                 served.returned.append(error)
 
         threads = [Thread(target=call, args=(client,), daemon=True) for client in clients]
-        playing = Thread(target=lambda: evaluation.play(1, _ignore, _ignore, record=offer.record), daemon=True)
+
+        def play() -> None:
+            evaluation.play(1, _ignore, _ignore, record=offer.record, engine=engine)
+
+        playing = Thread(target=play, daemon=True)
         for thread in (playing, *threads):
             thread.start()
         for thread in (playing, *threads):

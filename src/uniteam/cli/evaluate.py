@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 import tyro
 from rich.console import Console
+from rich.filesize import decimal
 
 import uniteam
 from uniteam.cli.perceptions import as_folder, perception_name
@@ -17,9 +18,10 @@ from uniteam.evaluation.analysis.breakdown import Groups, grouped
 from uniteam.evaluation.analysis.table import Row, challenge_table
 from uniteam.evaluation.backends.capacity import allowed_cores, most_workers
 from uniteam.evaluation.configuration import Run
+from uniteam.evaluation.engines import in_processes, on_ray
 from uniteam.evaluation.episode_choice import shard_named
 from uniteam.evaluation.evaluation import Evaluation
-from uniteam.evaluation.recording.order import RecordingOrder, recording_path
+from uniteam.evaluation.recording.order import RecordingOrder
 from uniteam.evaluation.results.summary import summarize
 from uniteam.world.task.splits import split_label
 
@@ -45,9 +47,10 @@ def evaluate(
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
     breakdown: Annotated[str | None, tyro.conf.arg(metavar="TAG")] = None,
-    record: Annotated[str | None, tyro.conf.arg(metavar="all|failures|N")] = None,
+    record: Annotated[str | None, tyro.conf.arg(metavar="all|failures|actions|N")] = None,
     episode_seconds: Annotated[float, tyro.conf.arg(metavar="S")] = 3600.0,
     shard: Annotated[str | None, tyro.conf.arg(metavar="I/N")] = None,
+    engine: Literal["processes", "ray"] = "processes",
 ) -> None:
     """Play a split's episodes with one or more agents, in parallel, and print the challenge's table.
 
@@ -74,11 +77,14 @@ def evaluate(
         breakdown: Add rows by what makes episodes differ: unseen (whether the object's category is in no training
             home), style, area, rooms, shortest_path, least_clearance, object_height, object_pixels, goals, same_class.
         record: Which episodes to record, each into a file of its own below the directory of the results: all, failures
-            (those without overall success), or how many of the first ones.
+            (those without overall success), or how many of the first ones; actions keeps of all of them the actions
+            alone, a few kilobytes each, which is what 'uniteam verify' needs.
         episode_seconds: How long an episode may take; one that takes longer is ended, and fails if it was the agent
             that took so long.
         shard: Play one part of N only, such as 2/4, into a folder of its own: the parts can be played at the same time
             on several machines, and 'uniteam merge' makes one run of them.
+        engine: What plays: processes of this machine, or a Ray cluster (ray), that of RAY_ADDRESS or one that runs
+            here; --workers is then how many homes are played at a time, by default one for each core of the cluster.
     """
     check_at_least_one(episodes=episodes, workers=workers)
     if not agents:
@@ -95,8 +101,9 @@ def evaluate(
     with opened as evaluation:
         groups = {} if breakdown is None else grouped(evaluation.wanted, breakdown)
         order = evaluation.recordings(record)
-        workers_used = worker_count(workers, len(evaluation.remaining))
-        lost = play_under_bar(evaluation, workers_used, console, record=record)
+        play_on, count = ENGINES[engine]
+        at_once = count(workers, len(evaluation.remaining))
+        lost = play_under_bar(evaluation, at_once, console, record=record, engine=play_on)
         evaluation.write_summary()
         tell_results(evaluation, groups, order, console)
     if lost:
@@ -132,6 +139,15 @@ def worker_count(asked: int | None, jobs: int) -> int:
         why = f"there are cores and memory for {room}" if count == room else f"{jobs} episodes are to be played"
         make_console(stderr=True).print(f"[yellow]{count} workers instead of {asked}: {why}.[/]", soft_wrap=True)
     return count
+
+
+def task_count(asked: int | None, jobs: int) -> int:
+    """Return how many tasks to give to a cluster at a time: all, where nothing is asked, since it has them wait."""
+    return asked or max(jobs, 1)
+
+
+ENGINES = {"processes": (in_processes, worker_count), "ray": (on_ray, task_count)}
+"""By name, what plays a run, and how many attempts at a time."""
 
 
 def lost_sentence(lost: list[str], evaluation: Evaluation) -> str:
@@ -172,13 +188,13 @@ def _report_recordings(evaluation: Evaluation, order: RecordingOrder, console: C
     if not order.episodes:
         return
     asked = [
-        recording_path(order.folder, agent, result.episode)
+        order.path(agent, result.episode)
         for agent in evaluation.run.agents
         for result in evaluation.results().get(agent, [])
         if result.episode in order.episodes and order.is_kept(result)
     ]
-    sizes = [path.stat().st_size / 1e6 for path in asked if path.is_file()]
-    size = f" of {fmean(sizes):.1f} MB on average, the largest {max(sizes):.1f} MB" if sizes else ""
+    sizes = [path.stat().st_size for path in asked if path.is_file()]
+    size = f" of {decimal(int(fmean(sizes)))} on average, the largest {decimal(max(sizes))}" if sizes else ""
     console.print(f"Recordings: {len(sizes)}{size}, in {shown(order.folder)}.", soft_wrap=True)
     if len(sizes) < len(asked):
         console.print(

@@ -51,6 +51,14 @@ COMMANDS = {
         "make one run of the shards of a run",
         "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
     ),
+    "verify": Command(
+        "play some of a run's episodes again from their recorded actions, and compare every measure",
+        "uniteam verify runs/val-truth-half-challenge --episodes 20",
+    ),
+    "scale": Command(
+        "say what a run of many episodes would take, from one that was played",
+        "uniteam scale results/val-truth-half-challenge --episodes 1000 100000",
+    ),
     "ablate": Command(
         "measure what each improvement is worth, alone, taken away and one after the other",
         "uniteam ablate --split val --perception truth --episodes 100",

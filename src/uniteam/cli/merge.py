@@ -7,6 +7,7 @@ import tyro
 
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import UniteamError
+from uniteam.evaluation.recording.bring_recordings import bring_recordings
 from uniteam.evaluation.results.merge import merge_shards
 
 
@@ -22,13 +23,13 @@ def merge(
 
     The shards must have one configuration and no episode in common. What is missing is told, and the command then ends
     with exit code 2; the folder holds what there is, and 'uniteam evaluate --out DIR' with the run's other options
-    plays the rest in it.
+    plays the rest in it. Recordings come along, as hard links where the disk is the same.
 
     Args:
         shards: Folders that 'uniteam evaluate --shard' or 'uniteam ablate --shard' wrote.
         out: Folder for the whole run; it must not exist, or be empty.
     """
-    merged = merge_shards(shards, out)
+    merged = merge_shards(shards, out, bring_recordings)
     console = make_console()
     console.print(f"{merged.attempts} results of {len(shards)} shards are in {shown(out)}.", soft_wrap=True)
     if merged.missing:

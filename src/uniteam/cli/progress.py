@@ -9,6 +9,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 
 from uniteam.cli.terminal import Interrupted, shown
 from uniteam.evaluation.backends.processes import Lost
+from uniteam.evaluation.engines import Engine, in_processes
 from uniteam.evaluation.evaluation import Evaluation, home_of
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Episode
@@ -40,6 +41,7 @@ def play_under_bar(
     group_of: Callable[[Episode], str] = home_of,
     record: str | None = None,
     beginning: str = "starting (the first time on a machine, compiling)",
+    engine: Engine = in_processes,
 ) -> list[str]:
     """Play what remains under a progress bar; return why episodes were lost.
 
@@ -51,6 +53,7 @@ def play_under_bar(
         group_of: as `Evaluation.play` takes it.
         record: which episodes to record, as `Evaluation.play` takes it.
         beginning: what stands beside the bar until the first episode ends.
+        engine: what plays them, as `Evaluation.play` takes it.
     """
     remaining, total = len(evaluation.remaining), len(evaluation.attempts)
     directory = shown(evaluation.store.directory)
@@ -85,7 +88,7 @@ def play_under_bar(
             log(agent, episode.id, f"lost: {outcome.reason}")
 
         try:
-            evaluation.play(worker_count, advance, note_lost, group_of, record)
+            evaluation.play(worker_count, advance, note_lost, group_of, record, engine)
         except KeyboardInterrupt as stop:
             kept = total - len(evaluation.remaining)
             progress.update(bar, description="stopped")

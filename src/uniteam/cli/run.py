@@ -86,7 +86,7 @@ def run(
         if record is not None:
             try_output(record, (SUFFIX,))
             configuration = resolve(Run(split, {label: spec}, perception, camera, grasp), episodes)
-            recorder = Recorder(environment, provenance_of(label, spec, configuration))
+            recorder = Recorder(environment, provenance_of(label, spec, split, configuration))
             observers.append(recorder)
         result = play_episode(environment, spec.make(environment), lambda step: _show(step, observers))
         _report(result, console)

@@ -8,7 +8,7 @@ import tyro
 from rich.console import Console
 
 from uniteam.adapters.remote.agent_server import Place
-from uniteam.adapters.remote.served_evaluation import RemoteSpec, ServedEvaluation, label_of
+from uniteam.adapters.remote.served_episodes import RemoteSpec, ServedEpisodes, label_of
 from uniteam.cli.evaluate import (
     LONGEST_EPISODE,
     LostEpisodesError,
@@ -22,6 +22,7 @@ from uniteam.cli.serve_perception import LOOPBACK
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.configuration import Run
+from uniteam.evaluation.evaluation import Evaluation
 from uniteam.mind.perception.detectors.remote import TOKEN
 
 
@@ -77,15 +78,17 @@ def serve(
     console, place = make_console(), Place(host, port, seats, os.environ.get(TOKEN, ""))
     specs = {label_of(agent): RemoteSpec(agent, perception)}
     run = Run(split, specs, perception, camera, grasp, episodes, episode_seconds)
+    served = ServedEpisodes(place, answer_seconds, lambda sentence: _notice(console, sentence))
     with console.status("reading the split and the models"):
-        opened = ServedEvaluation(
-            run, out or default_directory(run), place, answer_seconds, lambda sentence: _notice(console, sentence)
-        )
+        opened = Evaluation(run, out or default_directory(run))
     with opened as evaluation:
         order = evaluation.recordings(record)
         if evaluation.remaining:
-            _tell_address(evaluation.address, place, console)
-        lost = play_under_bar(evaluation, seats, console, record=record, beginning="waiting for an agent")
+            _tell_address(served.address, place, console)
+        engine = served.engine(evaluation.split)
+        lost = play_under_bar(
+            evaluation, seats, console, record=record, beginning="waiting for an agent", engine=engine
+        )
         evaluation.write_summary()
         tell_results(evaluation, {}, order, console)
     if lost:

@@ -7,8 +7,9 @@ from types import TracebackType
 from typing import Self
 
 from uniteam.errors import InvalidInputError
-from uniteam.evaluation.backends.processes import Lost, OutOfTime, WorkerProcesses
+from uniteam.evaluation.backends.processes import Lost, OutOfTime
 from uniteam.evaluation.configuration import Run, resolve, wanted_episodes
+from uniteam.evaluation.engines import Engine, in_processes
 from uniteam.evaluation.episode_loop import crashed_result
 from uniteam.evaluation.recording.order import RECORDINGS, RecordingOrder, recording_order
 from uniteam.evaluation.results.home_robot import write_home_robot_results
@@ -97,27 +98,28 @@ class Evaluation:
         on_lost: OnLost,
         group_of: Callable[[Episode], str] = home_of,
         record: str | None = None,
+        engine: Engine = in_processes,
     ) -> None:
-        """Play what remains in `worker_count` processes and keep each result as it comes.
+        """Play what remains, `worker_count` attempts at a time, and keep each result as it comes.
 
         An attempt that was lost by no fault of the agent has no result: a later run plays it again.
 
         Args:
-            worker_count: how many processes.
+            worker_count: how many processes, or tasks of a cluster.
             on_result: is told each result, once it is on the disk.
             on_lost: is told what was lost.
             group_of: a worker goes on with an episode of the same group as long as it can, and then with the first of
                 those left.
-            record: which episodes to record: "all", "failures", how many of the first ones, or None for none.
+            record: which episodes to record: "all", "failures", how many of the first ones, "actions" for those of all
+                alone, or None for none.
+            engine: what plays them.
 
         Raises:
             UniteamError: as raised in a worker.
             UnwritableError: a result cannot be written.
         """
-        workers: WorkerProcesses[Attempt, EpisodeResult | Lost] = WorkerProcesses(
-            PlayerSetup(self.run, self._configuration, self.recordings(record)), worker_count, self.run.episode_seconds
-        )
-        with closing(workers.do(self.remaining, lambda attempt: group_of(self._episode(attempt)))) as outcomes:
+        playing = engine(PlayerSetup(self.run, self._configuration, self.recordings(record)), worker_count)
+        with closing(playing.do(self.remaining, lambda attempt: group_of(self._episode(attempt)))) as outcomes:
             for attempt, outcome in outcomes:
                 self.keep(attempt, outcome, on_result, on_lost)
 

@@ -16,9 +16,8 @@ from uniteam.evaluation.backends.serving import Charging
 from uniteam.evaluation.charged_agent import AgentError, ChargedAgent
 from uniteam.evaluation.configuration import Run, resolve
 from uniteam.evaluation.episode_loop import Observer, play_episode, result_of_exception
-from uniteam.evaluation.recording.order import RecordingOrder, forget_recording, recording_path
+from uniteam.evaluation.recording.order import RecordingOrder, forget_recordings
 from uniteam.evaluation.recording.provenance import provenance_of
-from uniteam.evaluation.recording.recorder import Recorder
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.evaluation.warm_up import warm_up
 from uniteam.geometry import PinholeCamera
@@ -101,14 +100,14 @@ class EpisodePlayer:
     def _play(self, attempt: Attempt, environment: Environment) -> EpisodeResult:
         """Play the environment's episode; its recording, if there is to be one, is on the disk before its result."""
         order, spec = self._setup.recordings, self._run.agents[attempt.agent]
-        path = recording_path(order.folder, attempt.agent, environment.episode.id)
-        forget_recording(path)
+        forget_recordings(order.folder, attempt.agent, environment.episode.id)
         if environment.episode.id not in order.episodes:
             return self._result(environment, spec, None)
-        recorder = Recorder(environment, provenance_of(attempt.agent, spec, self._setup.configuration))
+        provenance = provenance_of(attempt.agent, spec, self._run.split, self._setup.configuration)
+        recorder = order.kind.begin(environment, provenance)
         result = self._result(environment, spec, recorder)
         if order.is_kept(result):
-            recorder.write(path, result)
+            recorder.write(order.path(attempt.agent, environment.episode.id), result)
         return result
 
     def _result(self, environment: Environment, spec: AgentSpec, observer: Observer | None) -> EpisodeResult:

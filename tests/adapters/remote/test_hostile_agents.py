@@ -121,8 +121,11 @@ def test_an_agent_that_answers_before_it_is_asked_is_hung_up_on(two: Path, tmp_p
         return "OK", ""
 
     served = serve(Offer(two, tmp_path), one_after_the_other(flood, playing(Turner())))
-    check_first_lost(served, "the agent answered before it was asked")
-    assert served.returned[0][0][0] == "INVALID_ARGUMENT"
+    status, words = served.returned[0][0]
+    assert status == "INVALID_ARGUMENT" and "answered before it was asked" in words
+    first = served.results["e0"]  # a flood that comes before the episode begins costs none
+    assert "answered before it was asked" in first.failure or first.measures.does_want_terminate
+    assert served.results["e1"].measures.does_want_terminate
 
 
 def test_an_agent_that_greets_wrongly_or_never_is_hung_up_on_and_costs_no_episode(

@@ -10,7 +10,13 @@ from uniteam.errors import InvalidInputError
 from uniteam.evaluation.recording.depth_code import RELATIVE_ERROR, decode_depth, encode_depth
 from uniteam.evaluation.recording.label_video import LabelEncoder, decode_labels
 from uniteam.evaluation.recording.map_track import MapWriter, read_maps
-from uniteam.evaluation.recording.order import forget_recording, is_failure, recording_order, recording_path
+from uniteam.evaluation.recording.order import (
+    ACTION_SUFFIX,
+    forget_recordings,
+    is_failure,
+    recording_order,
+    recording_path,
+)
 from uniteam.evaluation.recording.step_line import MapLine
 from uniteam.interface import Detection, MapOverlay, Segmentation
 
@@ -71,6 +77,8 @@ def test_a_wish_says_which_episodes_are_recorded(tmp_path: Path) -> None:
     assert recording_order("all", tmp_path, ids).episodes == frozenset(ids)
     assert recording_order("failures", tmp_path, ids).is_kept is is_failure
     assert recording_order("2", tmp_path, ids).episodes == {"a", "b"}
+    alone = recording_order("actions", tmp_path, ids)
+    assert (alone.episodes, alone.path("x", "a")) == (frozenset(ids), tmp_path / "x" / "a.actions.gz")
     for wrong in ("0", "-1", "most", "", "1.5"):
         with pytest.raises(InvalidInputError, match="--record takes"):
             recording_order(wrong, tmp_path, ids)
@@ -88,7 +96,8 @@ def test_what_a_killed_process_left_of_a_recording_is_removed(tmp_path: Path) ->
     path = recording_path(tmp_path, "uniteam", "e_1")
     path.parent.mkdir()
     other = path.with_name("e_10.zip")
-    for one in (path, path.with_name("e_1.zip.4711.partial"), other):
+    actions = recording_path(tmp_path, "uniteam", "e_1", ACTION_SUFFIX)
+    for one in (path, path.with_name("e_1.zip.4711.partial"), actions, other):
         one.write_bytes(b"half")
-    forget_recording(path)
+    forget_recordings(tmp_path, "uniteam", "e_1")
     assert list(path.parent.iterdir()) == [other]

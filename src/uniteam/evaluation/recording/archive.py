@@ -18,6 +18,9 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 _STORED = (".mp4",)
 """Endings of members that are packed already."""
 
+_ERRORS = (OSError, EOFError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error, NotImplementedError)
+"""What reading a file that is no archive, or a damaged one, raises."""
+
 
 def write_archive(path: Path, members: Mapping[str, bytes]) -> None:
     """Write the members, so that the file is whole or not there at all, into a folder that is made where it is missing.
@@ -47,7 +50,20 @@ def read_archive(path: Path) -> dict[str, bytes]:
             if sum(entry.file_size for entry in entries) > MOST_BYTES:
                 raise damaged(path, f"unpacked it has more than {MOST_BYTES} bytes")
             return {entry.filename: archive.read(entry) for entry in entries}
-    except (OSError, EOFError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error, NotImplementedError) as error:
+    except _ERRORS as error:
+        raise damaged(path, getattr(error, "strerror", None) or str(error) or type(error).__name__) from error
+
+
+def read_member(path: Path, name: str) -> bytes:
+    """Return one member of the file, without unpacking the others; raises DamagedFileError."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            if archive.getinfo(name).file_size > MOST_BYTES:
+                raise damaged(path, f"unpacked its {name} has more than {MOST_BYTES} bytes")
+            return archive.read(name)
+    except KeyError as error:
+        raise damaged(path, f"{name} is missing") from error
+    except _ERRORS as error:
         raise damaged(path, getattr(error, "strerror", None) or str(error) or type(error).__name__) from error
 
 

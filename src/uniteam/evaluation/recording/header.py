@@ -34,6 +34,8 @@ class Header(msgspec.Struct, frozen=True):
         objects: names of the movable instances, of which the poses are.
         instances: names of all instances of the home, of which the visible pixels are.
         configuration: all that the episode depended on.
+        split: the split as it was named where it was played; the home is read from there where no file can say it, as
+            of the challenge's own data.
     """
 
     format: str
@@ -46,6 +48,7 @@ class Header(msgspec.Struct, frozen=True):
     objects: tuple[str, ...]
     instances: tuple[str, ...]
     configuration: Mapping[str, Any]
+    split: str = ""
 
 
 def make_header(
@@ -58,7 +61,7 @@ def make_header(
     """Return the header of a recording that is written now."""
     return Header(
         FORMAT, VERSION, uniteam.__version__, provenance.agent, provenance.spec,
-        camera, steps, objects, instances, provenance.configuration,
+        camera, steps, objects, instances, provenance.configuration, provenance.split,
     )  # fmt: skip
 
 

@@ -64,18 +64,14 @@ class Recorder:
 
         Raises:
             UnwritableError: as the system says; what was there before is still there.
-            InvalidInputError: the home's library lies in no folder, so that no file can name it.
         """
-        environment = self._environment
-        home = environment.home
-        split = Split(environment.episode.id, (environment.episode,), {home.name: home})
         if self._last is not None:
             self._films.add(self._last, None)
             self._robot.add(self._last)
         members = {
             "recording.json": self._header(),
             "result.json": result_to_line(self._provenance.agent, result).encode(),
-            "episode.jsonl": encode_split(split, path.parent),
+            **self._episode(path.parent),
             "steps.jsonl": b"".join(self._lines),
             **self._films.members(),
             **_packed("robot", self._robot.arrays()),
@@ -89,6 +85,13 @@ class Recorder:
         instances = tuple(instance.name for instance in environment.home.instances)
         objects = tuple(environment.simulator.physics.names)
         return header_to_json(make_header(self._provenance, environment.camera, len(self._lines), objects, instances))
+
+    def _episode(self, folder: Path) -> dict[str, bytes]:
+        """Return the episode with its home; nothing for a home that no file can say: the header names its split."""
+        home, episode = self._environment.home, self._environment.episode
+        if home.library.folder is None:
+            return {}
+        return {"episode.jsonl": encode_split(Split(episode.id, (episode,), {home.name: home}), folder)}
 
     def _place(self, overlay: MapOverlay) -> MapLine:
         rows, columns = overlay.labels.shape

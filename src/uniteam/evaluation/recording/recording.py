@@ -27,7 +27,10 @@ from uniteam.geometry import BasePose
 from uniteam.interface import Joints, MapOverlay, Segmentation
 from uniteam.world.homes.home import Home
 from uniteam.world.task.episode import Episode, Split
-from uniteam.world.task.splits import decode_split
+from uniteam.world.task.splits import decode_split, load_split
+
+EPISODE = "episode.jsonl"
+"""The member with the episode and its home, where a file can say it."""
 
 _ROWS: Mapping[str, tuple[tuple[int, ...], type]] = {
     "robot/base_to_start": ((3,), np.float64),
@@ -99,9 +102,23 @@ class Recording:
 
     @cached_property
     def split(self) -> Split:
-        """The one episode and its home, as a split."""
+        """The one episode and its home, as a split.
+
+        Raises:
+            UniteamError: they lie in the data of the split that was played, which is not there any more, or is other.
+        """
+        if EPISODE not in self._members:
+            return self._of_source(load_split(self.header.split))
         with self._reading():
-            return replace(decode_split(self._members["episode.jsonl"], self.path), name=self.split_name)
+            return replace(decode_split(self._members[EPISODE], self.path), name=self.split_name)
+
+    def _of_source(self, source: Split) -> Split:
+        own = tuple(episode for episode in source.episodes if episode.id == self.result.episode)
+        homes = {episode.home: source.homes[episode.home] for episode in own}
+        instances = [tuple(instance.name for instance in home.instances) for home in homes.values()]
+        if instances != [self.header.instances]:
+            raise damaged(self.path, f"'{self.header.split}', on which it was played, does not have its home any more")
+        return Split(self.split_name, own, homes)
 
     @property
     def split_name(self) -> str:

@@ -1,14 +1,14 @@
 """A step as a line of JSON: what was decided and why, and what came of it."""
 
-from dataclasses import asdict, astuple, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import msgspec
 import numpy as np
 
 from uniteam.errors import InvalidInputError
+from uniteam.evaluation.recording.action_data import ActionData, action_from_data, action_to_data
 from uniteam.geometry import Point2
-from uniteam.interface import Action, BaseDisplacement, Decision, Detection, DiscreteAction, JointDisplacement, Joints
+from uniteam.interface import Decision, Detection
 from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.simulation.touches import Touches
 from uniteam.world.task.measures import Measures
@@ -64,14 +64,6 @@ class RecordedStep:
     resting_on: tuple[str, ...] | None
 
 
-class ActionData(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
-    """An action: the name of a discrete one, or displacements of the base (x, y, heading) and of the joints."""
-
-    discrete: str | None = None
-    base: tuple[float, float, float] | None = None
-    joints: dict[str, float] | None = None
-
-
 class TruthData(msgspec.Struct, forbid_unknown_fields=True):
     """What the agent was not told."""
 
@@ -114,7 +106,7 @@ def step_to_line(step: RecordedStep) -> bytes:
     touches = step.events.touches
     data = StepData(
         step=step.step,
-        action=_action_data(step.decision.action),
+        action=action_to_data(step.decision.action),
         state=text(step.decision.state),
         reason=text(step.decision.reason),
         detections=None if step.detections is None else tuple(map(_candidates, step.detections)),
@@ -136,7 +128,7 @@ def step_from_line(line: bytes) -> RecordedStep:
     try:
         data = _DECODER.decode(line)
         detections = None if data.detections is None else tuple(Detection(c) for c in data.detections)
-        action = _action(data.action)
+        action = action_from_data(data.action)
     except (msgspec.MsgspecError, InvalidInputError, RecursionError) as error:
         raise ValueError(f"a step of it is none: {error}") from error
     truth = data.truth
@@ -160,27 +152,3 @@ def text(words: object) -> str:
 
 def _candidates(detection: Detection) -> tuple[tuple[str, float], ...]:
     return tuple((text(name), float(score)) for name, score in detection.candidates)
-
-
-def _action_data(action: Action) -> ActionData:
-    if isinstance(action, DiscreteAction):
-        return ActionData(discrete=action.value)
-    if isinstance(action, BaseDisplacement):
-        return ActionData(base=astuple(action))
-    return ActionData(base=astuple(action.base), joints=asdict(action.delta))
-
-
-def _action(data: ActionData) -> Action:
-    """Return the action; raises InvalidInputError where the data is of none."""
-    known: dict[str, Any] = {action.value: action for action in DiscreteAction}
-    if data.discrete in known and data.base is None and data.joints is None:
-        return DiscreteAction(data.discrete)
-    if data.discrete is not None or data.base is None:
-        raise InvalidInputError("an action must be a discrete one's name, or a displacement")
-    base = BaseDisplacement(*data.base)
-    if data.joints is None:
-        return base
-    try:
-        return JointDisplacement(Joints(**data.joints), base)
-    except TypeError as error:
-        raise InvalidInputError(f"an action's joints are none: {error}") from error

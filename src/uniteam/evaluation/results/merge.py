@@ -1,7 +1,7 @@
 """Make one run of the shards of a run: the same folder that one process would have written."""
 
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,8 +30,17 @@ class Merged:
     missing: tuple[str, ...]
 
 
-def merge_shards(folders: Sequence[Path], out: Path) -> Merged:
+Bring = Callable[[RunFolder, Path], None]
+"""Brings what else a shard's folder holds into the merged one."""
+
+
+def merge_shards(folders: Sequence[Path], out: Path, bring: Bring = lambda run, folder: None) -> Merged:
     """Write the folder of the run that these are shards of; `summary.json` is the unsharded run's, to the byte.
+
+    Args:
+        folders: of the shards.
+        out: of the run.
+        bring: is called for each shard with the folder that is being written.
 
     Raises:
         InvalidInputError: they are no shards of one run, or `out` holds something already.
@@ -47,6 +56,8 @@ def merge_shards(folders: Sequence[Path], out: Path) -> Merged:
     try_folder(part)
     try:
         attempts = _write(shards, part)
+        for run in shards:
+            bring(run, part)
         if out.exists():
             out.rmdir()
         part.rename(out)

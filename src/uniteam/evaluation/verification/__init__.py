@@ -1,0 +1,1 @@
+"""Whether results that somebody hands in are what comes of the actions that were recorded with them."""
