@@ -123,9 +123,9 @@ def python_blocks() -> Iterator[tuple[str, str]]:
 @pytest.mark.slow
 @pytest.mark.parametrize(("page", "block"), list(python_blocks()))
 def test_every_block_of_python_runs(page: str, block: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "runs" / "val-truth-half-challenge").mkdir(parents=True)
+    (tmp_path / "runs" / "val-learned-half-challenge").mkdir(parents=True)
     result = EpisodeResult("a", "b", "Move cup", False, Measures(), "DONE", "it fell", 1.0, 1.0)
-    (tmp_path / "runs" / "val-truth-half-challenge" / "results.jsonl").write_text(result_to_line("baseline", result))
+    (tmp_path / "runs" / "val-learned-half-challenge" / "results.jsonl").write_text(result_to_line("baseline", result))
     monkeypatch.chdir(tmp_path)
     if "read_recording" in block:
         spec = AgentSpec("uniteam-plus", "truth")
