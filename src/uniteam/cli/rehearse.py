@@ -49,7 +49,7 @@ def rehearse(
     seed: int = 0,
     perception: str = "truth",
     camera: Literal["half", "full"] = "half",
-    grasp: Literal["challenge", "honest"] = "challenge",
+    grasp: Literal["challenge", "honest", "arm"] = "challenge",
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
     out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None,
@@ -74,8 +74,8 @@ def rehearse(
         perception: What the agent sees with: a name, NAME:ARGUMENT for one that takes an argument, or your own as
             MODULE:ATTRIBUTE.
         camera: Images of 240x320 (half) or of 480x640 (full).
-        grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
-            points at (honest).
+        grasp: What the gripper takes: only a candidate object, as in the challenge, whatever small object the camera
+            points at (honest), or what its fingers close around (arm), which needs --with arm_grasp.
         with_: Improvements to add if the agent lacks them, names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agent, by name.
         out: A .json file for the figures and each episode's end.
