@@ -15,7 +15,7 @@ import numpy as np
 from uniteam.interface import DiscreteAction, Joints
 from uniteam.mind.manipulation.arm_clearance import Load, SweepConfig, is_sweep_free
 from uniteam.mind.manipulation.arm_reach import HANGING_WRIST, ArmReach
-from uniteam.mind.manipulation.pick.finger_room import FingerShape, GraspPose, grasp_poses
+from uniteam.mind.manipulation.pick.finger_room import STRAY, FingerShape, GraspPose, grasp_poses
 from uniteam.mind.manipulation.pick.pick import Prepare, Taken, object_points
 from uniteam.mind.manipulation.pick.reach_out_pick import ReachOut
 from uniteam.mind.perception.vocabulary import ClassRole
@@ -127,7 +127,7 @@ class ArmGrasp:
         points = view.points(ClassRole.OBJECT)
         there = points[np.hypot(*(points[:, :2] - pose.centre[:2]).T) < self.same_place]
         risen = gripper_to_base(view.observation.joints)[2, 3] - pose.centre[2]
-        return len(there) > 0 and float(np.median(there[:, 2])) < pose.bottom + risen / 2.0
+        return len(there) > 0 and float(np.quantile(there[:, 2], STRAY)) < pose.bottom + risen / 2.0
 
     def _draw_back(self, view: View) -> Skill[View]:
         """Open the gripper, and take the arm out of the picture."""

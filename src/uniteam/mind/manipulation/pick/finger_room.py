@@ -3,7 +3,6 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import product
 
 import cv2
 import numpy as np
@@ -96,10 +95,11 @@ def grasp_poses(points: Points, surroundings: Points, pitch: float, shape: Finge
     for depth in DEPTHS:
         if top - depth <= bottom and depth != DEPTHS[-1]:
             continue
-        slices = (_slice(flat, turn, offset) for offset, turn in product(OFFSETS, turns))
-        slices = slices if pitch <= HANGING_WRIST else (_deeper(flat, *each) for each in slices)
-        poses = (GraspPose((*xy, top - depth), pitch, turn, span, bottom) for xy, turn, span in slices)
-        yield from sorted((pose for pose in poses if _has_room(pose, points, surroundings, shape)), key=_span)
+        for offset in OFFSETS:
+            slices = (_slice(flat, turn, offset) for turn in turns)
+            slices = slices if pitch <= HANGING_WRIST else (_deeper(flat, *each) for each in slices)
+            poses = (GraspPose((*xy, top - depth), pitch, turn, span, bottom) for xy, turn, span in slices)
+            yield from sorted((pose for pose in poses if _has_room(pose, points, surroundings, shape)), key=_span)
 
 
 def _span(pose: GraspPose) -> float:
