@@ -33,8 +33,8 @@ class Outcome:
 
     Attributes:
         held: whether an object that counts is in the gripper.
-        collisions: steps in which the arm, the gripper or what it held touched furniture, a wall or the floor, or what is
-            held anything.
+        collisions: steps in which the arm, the gripper or what it held touched anything but small objects, or what it
+            held touched anything.
         steps: how many it took.
     """
 

@@ -46,7 +46,7 @@ class ArmGrasp:
         attempts: how often it tries.
         pitches: of the wrist, tried in this order (rad).
         advances: how far the gripper moves along its fingers to get around the object, tried in this order (m).
-        lift: by how much the object is lifted before it is looked at (m).
+        lift: by how much the object is lifted at least before it is looked at (m).
         same_place: what is seen so near to where the object lay, from above, may be the object (m).
         slack: a turn that is smaller need not be made (rad).
         shape: of the gripper.
@@ -56,7 +56,7 @@ class ArmGrasp:
     approach: Prepare = field(default_factory=lambda: ReachOut(reach=0.46, extensions=()))
     attempts: int = 3
     pitches: tuple[float, ...] = (JOINT_LIMITS[0].wrist_pitch, -0.8, -0.4, 0.0)
-    advances: tuple[float, ...] = (0.15, 0.1)
+    advances: tuple[float, ...] = (0.15, 0.22, 0.3, 0.1)
     lift: float = 0.15
     same_place: float = 0.04
     slack: float = 0.02
@@ -86,22 +86,21 @@ class ArmGrasp:
         everything = np.concatenate([surroundings, points])
         for pitch in self.pitches:
             for pose in grasp_poses(points, surroundings, pitch, self.shape):
-                way = self._way(pose, view.observation.joints)
-                if way is not None and self._is_free(way, everything):
-                    yield way
+                ways = self._ways_to(pose, view.observation.joints)
+                yield from islice((way for way in ways if self._is_free(way, everything)), 1)
 
-    def _way(self, pose: GraspPose, joints: Joints) -> Way | None:
-        """Return how the arm gets to a grasp once the base has turned to it; None where it is out of reach."""
+    def _ways_to(self, pose: GraspPose, joints: Joints) -> Iterator[Way]:
+        """Yield how the arm gets to a grasp once the base has turned to it; nothing where it is out of reach."""
         x, y, z = pose.centre
         reach = ArmReach.of_wrist(pose.pitch)
         distance, turn = reach.distance_to(x, y), reach.turn_to(x, y)
         if not (reach.near <= distance <= reach.far and reach.low <= z <= reach.high):
-            return None
+            return
         roll = -math.remainder(pose.turn - turn, math.pi) if pose.pitch <= HANGING_WRIST else 0.0
         around = reach.over(replace(joints, wrist_yaw=0.0, wrist_roll=roll), distance, z)
-        starts = (_drawn_back(around, advance) for advance in self.advances)
-        before = next((start for start in starts if start == clamp_joints(start)), None)
-        return None if before is None else Way(pose, turn, before, around)
+        for before in (_drawn_back(around, advance) for advance in self.advances):
+            if before == clamp_joints(before):
+                yield Way(pose, turn, before, around)
 
     def _is_free(self, way: Way, everything: Points) -> bool:
         """Return whether the arm, once the base has turned, touches nothing seen on its way to before the object."""
@@ -119,7 +118,7 @@ class ArmGrasp:
         view = yield from move_joints(view, way.before, f"I bring the gripper before the {name}.")
         view = yield from move_joints(view, way.around, f"I bring the open fingers to either side of the {name}.")
         view = yield discrete(DiscreteAction.SNAP_OBJECT, f"I close the fingers on the {name}.")
-        lifted = replace(way.around, lift=way.around.lift + self.lift)
+        lifted = replace(way.around, lift=max(way.around.lift + self.lift, way.before.lift))
         return (yield from move_joints(view, lifted, f"I lift the {name} and look."))
 
     def _lies_still(self, view: View, pose: GraspPose) -> bool:

@@ -116,13 +116,16 @@ def _turns(points: NDArray[np.float64]) -> Iterator[float]:
 
 
 def _slice(points: NDArray[np.float64], turn: float, offset: float) -> tuple[tuple[float, float], float, float]:
-    """Return the middle of what is near a line through (N, 2) points, the line's direction, and how wide that is."""
+    """Return the middle of what is near a line past (N, 2) points, the line's direction, and how wide that is.
+
+    That is infinitely wide where the line does not meet them.
+    """
     axes = np.array([[math.cos(turn), math.sin(turn)], [-math.sin(turn), math.cos(turn)]])
     turned = points @ axes.T
     low, high = np.quantile(turned, (STRAY, 1.0 - STRAY), axis=0)
     across = (low[1] + high[1]) / 2 + offset
     near = turned[np.abs(turned[:, 1] - across) < SLICE, 0]
-    if len(near) == 0:
+    if not low[1] <= across <= high[1] or len(near) == 0:
         return (float(points[0, 0]), float(points[0, 1])), turn, math.inf
     first, last = np.quantile(near, (STRAY, 1.0 - STRAY))
     x, y = np.array([(first + last) / 2, across]) @ axes
