@@ -22,6 +22,7 @@ from uniteam.evaluation.agent_spec import AGENTS, AgentSpec
 from uniteam.evaluation.results.result import EpisodeResult, result_to_line
 from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.improvements import IMPROVEMENTS
+from uniteam.mind.agents.other_ways import OTHER_WAYS
 from uniteam.mind.agents.report import REPORT
 from uniteam.mind.perception.registry import PERCEPTIONS
 from uniteam.registry import Registry
@@ -140,7 +141,7 @@ def test_every_file_that_is_shown_is_an_example() -> None:
 
 def test_the_tables_of_improvements_are_those_of_the_code() -> None:
     text = TEXT[ROOT / "docs" / "improvements.md"]
-    for name, improvements in (("report", REPORT), ("beyond", BEYOND)):
+    for name, improvements in (("report", REPORT), ("beyond", BEYOND), ("other", OTHER_WAYS)):
         table = text.partition(f"<!-- table: {name} -->")[2].partition("<!-- end -->")[0]
         rows = re.findall(r"^\| `(\w+)` \| (.+) \|$", table, flags=re.MULTILINE)
         assert rows == [(i.name, i.summary) for i in improvements], "run python tools/improvement_tables.py"

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.improvement import Improvement
+from uniteam.mind.agents.other_ways import OTHER_WAYS
 from uniteam.mind.agents.report import REPORT
 
 PAGE = Path(__file__).parents[1] / "docs" / "improvements.md"
@@ -22,7 +23,7 @@ def table(improvements: Iterable[Improvement]) -> str:
 
 def with_tables(page: str) -> str:
     """Return the page with each table between its two marks written anew."""
-    for name, improvements in (("report", REPORT), ("beyond", BEYOND)):
+    for name, improvements in (("report", REPORT), ("beyond", BEYOND), ("other", OTHER_WAYS)):
         between = rf"(<!-- table: {name} -->\n).*?(<!-- end -->)"
         page, count = re.subn(between, rf"\1\n{table(improvements)}\n\n\2", page, flags=re.DOTALL)
         if count != 1:

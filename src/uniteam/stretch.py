@@ -29,6 +29,13 @@ GRASP_RANGE = 0.8
 """How far from the grasp centre an object's middle may be in the horizontal plane to be grasped (m), as in the
 challenge."""
 
+FINGER_LENGTH = 0.171
+"""From a finger's pivot to its tip (m), by which its angle becomes an opening, as in the maker's software."""
+OPEN_FINGER = 0.6
+"""To which an opened gripper's fingers are sent (rad of one finger)."""
+FULL_OPENING = 2.0 * FINGER_LENGTH * OPEN_FINGER
+"""How far apart the fingertips of an opened gripper are (m)."""
+
 ARM_SEGMENTS = 4
 """The arm telescopes in four segments that share its extension equally."""
 

@@ -54,14 +54,17 @@ def call(*arguments: str) -> int:
 def test_a_rehearsal_has_a_row_for_each_drift_and_a_column_for_each_latency(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setenv("COLUMNS", "160")
+    monkeypatch.setenv("COLUMNS", "200")
     figures = tmp_path / "figures.json"
     dials = ("--drift", "0", "0.05", "--latency", "0", "0.05", "--agility", "4", "--steps", "3")
     assert call("rehearse", "--agent", "baseline", "--episodes", "1", *dials, "--out", str(figures)) == 0
     told = capsys.readouterr().out
     assert "latency 0.05 s" in told
-    assert told.count("0 of 1 (0-79 %), 0 %") == 4
-    settings = json.loads(figures.read_text())["settings"]
+    assert told.count("0 of 1 (0-79 %), 0 %") == 5
+    assert told.count("0 unlike the simulator") == 4
+    written = json.loads(figures.read_text())
+    settings = written["settings"]
+    assert [measures["num_steps"] for measures in written["simulator"]] == [3]
     tried = [(each["dials"]["drift"], each["dials"]["latency"]) for each in settings]
     assert tried == [(0.0, 0.0), (0.0, 0.05), (0.05, 0.0), (0.05, 0.05)]
     assert [s["runs"][0]["steps"] for s in settings] == [3, 3, 3, 3]

@@ -54,7 +54,7 @@ def ablate(
     measure: Measure = "overall_success",
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     camera: Literal["half", "full"] = "half",
-    grasp: Literal["challenge", "honest"] = "challenge",
+    grasp: Literal["challenge", "honest", "arm"] = "challenge",
     shard: Annotated[str | None, tyro.conf.arg(metavar="I/N")] = None,
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
     docs: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None,

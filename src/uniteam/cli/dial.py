@@ -54,7 +54,7 @@ def dial(
     episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     camera: Literal["half", "full"] = "half",
-    grasp: Literal["challenge", "honest"] = "challenge",
+    grasp: Literal["challenge", "honest", "arm"] = "challenge",
     measure: Measure = "overall_success",
     beside: tuple[str, ...] = (),
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
@@ -73,8 +73,8 @@ def dial(
         episodes: How many episodes, taken from the homes in turn; all by default.
         workers: How many processes; by default as many as there are cores and memory for.
         camera: Images of 240x320 (half) or of 480x640 (full).
-        grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
-            points at (honest).
+        grasp: What the gripper takes: only a candidate object, as in the challenge, whatever small object the camera
+            points at (honest), or what its fingers close around (arm), which needs --with arm_grasp.
         measure: What the figure shows.
         beside: Other perceptions to play with, drawn as level lines: where one crosses an agent's curve is the noise
             that costs that agent as much.

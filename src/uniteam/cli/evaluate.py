@@ -42,7 +42,7 @@ def evaluate(
     episodes: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     camera: Literal["half", "full"] = "half",
-    grasp: Literal["challenge", "honest"] = "challenge",
+    grasp: Literal["challenge", "honest", "arm"] = "challenge",
     out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
@@ -69,8 +69,8 @@ def evaluate(
         episodes: How many episodes, taken from the homes in turn; all by default.
         workers: How many processes; by default as many as there are cores and memory for.
         camera: Images of 240x320 (half) or of 480x640 (full).
-        grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
-            points at (honest).
+        grasp: What the gripper takes: only a candidate object, as in the challenge, whatever small object the camera
+            points at (honest), or what its fingers close around (arm), which needs --with arm_grasp.
         out: Directory of the results; runs/SPLIT-PERCEPTION-CAMERA-GRASP by default, and for a shard its number behind.
         with_: Improvements to add to the agents that lack them: names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agents that have them, by name.

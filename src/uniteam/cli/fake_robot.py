@@ -31,7 +31,7 @@ def fake_robot(
     split: str = "minival",
     episode: int = 0,
     camera: Literal["half", "full"] = "half",
-    grasp: Literal["challenge", "honest"] = "challenge",
+    grasp: Literal["challenge", "honest", "arm"] = "challenge",
     truth: bool = False,
     latency: Annotated[float, tyro.conf.arg(metavar="SECONDS")] = 0.0,
     drift: Annotated[float, tyro.conf.arg(metavar="SHARE")] = 0.0,
@@ -53,8 +53,8 @@ def fake_robot(
         split: A built-in split (minival, val, test-standard, test-challenge, train) or a file of episodes.
         episode: Which episode of the split, counted from 0.
         camera: Images of 240x320 (half) or of 480x640 (full).
-        grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
-            points at (honest).
+        grasp: What the gripper takes: only a candidate object, as in the challenge, whatever small object the camera
+            points at (honest), or what its fingers close around (arm), which needs --with arm_grasp.
         truth: Whether its pictures carry the simulator's own segmentation, which no real robot has.
         latency: By how much every message is late, in either direction.
         drift: The odometry's error, as a share of what is driven and turned.

@@ -42,7 +42,7 @@ def run(
     model: Annotated[str | None, tyro.conf.arg(metavar="ORG/NAME")] = None,
     revision: Annotated[str | None, tyro.conf.arg(metavar="R")] = None,
     camera: Literal["half", "full"] = "half",
-    grasp: Literal["challenge", "honest"] = "challenge",
+    grasp: Literal["challenge", "honest", "arm"] = "challenge",
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
 ) -> None:
@@ -61,8 +61,8 @@ def run(
         model: The weights of a detector: ORG/NAME on the Hugging Face hub, or a folder.
         revision: Which commit of the model; give it where results are to be repeated.
         camera: Images of 240x320 (half) or of 480x640 (full).
-        grasp: What the gripper takes: only a candidate object, as in the challenge, or whatever small object the camera
-            points at (honest).
+        grasp: What the gripper takes: only a candidate object, as in the challenge, whatever small object the camera
+            points at (honest), or what its fingers close around (arm), which needs --with arm_grasp.
         with_: Improvements to add if the agent lacks them, names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agent, by name.
     """

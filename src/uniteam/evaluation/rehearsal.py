@@ -17,7 +17,8 @@ from uniteam.world.real.robot_errors import RobotError
 from uniteam.world.real.safety import SafetyLimits
 from uniteam.world.real.stretch_robot import StretchRobot
 from uniteam.world.simulation.simulator import Simulator
-from uniteam.world.task.episode import Episode
+from uniteam.world.task.environment import Environment
+from uniteam.world.task.episode import MAXIMUM_STEPS, Episode
 from uniteam.world.task.grasp_rules import grasp_rule_named
 from uniteam.world.task.measures import Measures
 from uniteam.world.task.visible_truth import truth_maker
@@ -66,6 +67,15 @@ def rehearse(
     except RobotError as error:
         ended_by = str(error)
     return Rehearsed(robot.measures, len(taken), robot.time, ended_by)
+
+
+def play_simulated(simulator: Simulator, episode: Episode, spec: AgentSpec, grasp: str, most_steps: int) -> Measures:
+    """Play one episode in the simulator itself, and return what it came to; takes what `rehearse` does."""
+    rule = grasp_rule_named(grasp)
+    environment = Environment(simulator.home, episode, simulator.camera, spec.needs_truth, rule)
+    task = Task(episode.instruction, episode.seed, min(most_steps, MAXIMUM_STEPS))
+    act_in(environment, spec.make(environment), task)
+    return environment.measures
 
 
 def lockstep_robot(bridge: FakeBridge, truth_of: TruthOf) -> StretchRobot:

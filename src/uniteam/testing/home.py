@@ -13,7 +13,7 @@ from uniteam.world.homes.home import Home
 from uniteam.world.homes.serialization import check_home as check_fields
 from uniteam.world.homes.serialization import home_digest, read_home, write_home
 from uniteam.world.physics.navigable_floor import CELL_SIZE, NavigableFloor
-from uniteam.world.simulation.graspable import take_nothing
+from uniteam.world.simulation.graspable import TAKE_NOTHING
 from uniteam.world.simulation.simulator import Simulator
 
 ROOM_TO_STAND = 0.5
@@ -96,7 +96,7 @@ def _check_robot_fits(home: Home, name: str) -> None:
     x, y = floor.to_point(int(cells[0][middle]), int(cells[1][middle]))
     simulator = called(f"{name}: building it in the simulator", lambda: Simulator(home, HEAD_CAMERA_HALF))
     simulator.reset(BasePose(x, y, 0.0))
-    called(f"{name}: a first step in it", lambda: simulator.apply(DiscreteAction.TURN_LEFT, take_nothing))
+    called(f"{name}: a first step in it", lambda: simulator.apply(DiscreteAction.TURN_LEFT, TAKE_NOTHING))
     if not (called(f"{name}: a first look", simulator.render).depth > 0.0).any():
         raise CheckFailedError(f"{name}: the camera sees nothing at all from ({x:.2f}, {y:.2f}); are there walls?")
 

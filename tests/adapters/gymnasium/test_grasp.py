@@ -12,7 +12,7 @@ from uniteam.adapters.gymnasium.open_home import OpenHome
 from uniteam.adapters.gymnasium.task import Task
 from uniteam.adapters.gymnasium.tasks.grasp import GAZE, PICK, GraspReferee, Penalties, take_what_is_gazed_at
 from uniteam.interface import DiscreteAction, JointDisplacement, Joints
-from uniteam.world.simulation.graspable import take_nothing
+from uniteam.world.simulation.graspable import TAKE_NOTHING
 from uniteam.world.simulation.step_events import NOTHING, StepEvents
 from uniteam.world.simulation.touches import Touches
 
@@ -24,7 +24,7 @@ Look = Callable[[float], str | None]
 @pytest.fixture
 def referee(room: OpenHome) -> GraspReferee:
     stand(room, 2.0, 2.0, 0.0)
-    return GraspReferee(room, EPISODE, take_nothing, Penalties(blocked=1.0))
+    return GraspReferee(room, EPISODE, TAKE_NOTHING, Penalties(blocked=1.0))
 
 
 def test_a_metre_that_the_gripper_comes_nearer_is_worth_two(room: OpenHome, referee: GraspReferee) -> None:
@@ -32,7 +32,7 @@ def test_a_metre_that_the_gripper_comes_nearer_is_worth_two(room: OpenHome, refe
         return float(np.linalg.norm(room.simulator.gripper_to_world()[:3, 3] - (0.5, 0.5, 0.0)))
 
     before = distance()
-    room.simulator.apply(JointDisplacement(Joints(lift=-0.1, arm=0.1)), take_nothing)
+    room.simulator.apply(JointDisplacement(Joints(lift=-0.1, arm=0.1)), TAKE_NOTHING)
     expected = SLACK + 2.0 * (before - distance())
     assert abs(expected - SLACK) > 0.05
     assert referee.judge(TURN, NOTHING).reward == pytest.approx(expected, abs=1.1e-3)
@@ -62,7 +62,7 @@ def test_a_snap_that_takes_nothing_ends_nothing(referee: GraspReferee) -> None:
 def test_a_touch_costs_six_and_ends_where_it_costs(room: OpenHome, referee: GraspReferee) -> None:
     touched = StepEvents(touches=Touches(robot_scene="table"))
     assert referee.judge(TURN, touched) == referee.judge(TURN, NOTHING)
-    picking = GraspReferee(room, EPISODE, take_nothing, Penalties(blocked=1.0, touch=6.0))
+    picking = GraspReferee(room, EPISODE, TAKE_NOTHING, Penalties(blocked=1.0, touch=6.0))
     verdict = picking.judge(TURN, touched)
     assert (verdict.reward, verdict.is_over) == (pytest.approx(SLACK - 6.0), True)
     small = StepEvents(touches=Touches(robot_obj="ball"))
@@ -82,8 +82,8 @@ def look(room: OpenHome) -> Look:
         camera = room.simulator.camera_to_world()[:3, 3]
         down = math.atan2(camera[2] - 0.80, camera[1] - 1.3)
         tilt = -down - room.simulator.joints.head_tilt
-        room.simulator.apply(JointDisplacement(Joints(0.0, 0.0, head_tilt=tilt)), take_nothing)
-        return take_what_is_gazed_at(room)(())
+        room.simulator.apply(JointDisplacement(Joints(0.0, 0.0, head_tilt=tilt)), TAKE_NOTHING)
+        return take_what_is_gazed_at(room).choose(())
 
     return at
 
@@ -98,8 +98,8 @@ def test_what_is_farther_than_eight_tenths_of_a_metre_from_the_base_is_not(look:
 
 def test_what_is_not_at_the_middle_is_not(room: OpenHome, look: Look) -> None:
     assert look(0.75) == "cup"
-    room.simulator.apply(DiscreteAction.TURN_LEFT, take_nothing)
-    assert take_what_is_gazed_at(room)(()) is None
+    room.simulator.apply(DiscreteAction.TURN_LEFT, TAKE_NOTHING)
+    assert take_what_is_gazed_at(room).choose(()) is None
 
 
 @pytest.mark.parametrize("task", [GAZE, PICK])

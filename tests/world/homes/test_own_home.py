@@ -19,6 +19,7 @@ from uniteam.world.physics.navigable_floor import NavigableFloor
 from uniteam.world.physics.physics import Physics
 from uniteam.world.rendering.camera import render
 from uniteam.world.rendering.scene import Scene
+from uniteam.world.simulation.graspable import TAKE_NOTHING
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.environment import Environment
 from uniteam.world.task.episode import Candidate, Episode, Split
@@ -75,7 +76,7 @@ def test_the_base_stops_at_the_slanted_wall(home: Home) -> None:
     simulator = Simulator(home, HEAD_CAMERA_HALF)
     simulator.reset(BasePose(4.3, 1.7, -DIAGONAL))
     steps = 0
-    while not simulator.apply(BaseDisplacement(x=0.1), lambda things: None).blocked:
+    while not simulator.apply(BaseDisplacement(x=0.1), TAKE_NOTHING).blocked:
         steps += 1
     gap = (SLANT[0][0] - simulator.base.x + simulator.base.y) / np.sqrt(2)
     assert steps > 3

@@ -43,7 +43,7 @@ def hit_on_the_way(
 
 
 def held_cup() -> HeldObject:
-    return hang("cup", model_vertices(CUP.shapes), np.eye(4))
+    return hang("cup", model_vertices(CUP.shapes), np.eye(4), np.zeros(3))
 
 
 def test_arm_extended_into_a_wall_collides_and_short_of_it_does_not() -> None:
@@ -149,7 +149,7 @@ def test_held_object_hangs_level_from_its_top_with_its_long_side_along_the_base(
     lying = np.array([[c, -s, 0, 1.0], [s, c, 0, -0.5], [0, 0, 1, 0.8], [0, 0, 0, 1]])
     vertices = model_vertices((Box((0.0, 0.0, 0.05), (0.1, 0.3, 0.1)),))
     gripper = gripper_to_base(Joints(0.9, 0.3, wrist_yaw=0.5, wrist_pitch=-1.2))
-    to_base = hang("box", vertices, lying).to_base(gripper)
+    to_base = hang("box", vertices, lying, gripper[:3, 3]).to_base(gripper)
     points = vertices @ to_base[:3, :3].T + to_base[:3, 3]
     np.testing.assert_allclose(points.max(axis=0) - points.min(axis=0), [0.3, 0.1, 0.1], atol=1e-6)
     np.testing.assert_allclose(points.max(axis=0) + points.min(axis=0), 2 * gripper[:3, 3] - [0, 0, 0.1], atol=1e-6)

@@ -14,7 +14,7 @@ def thing(
     return Graspable(name, category, distance, in_view, in_centre)
 
 
-CHALLENGE, HONEST = challenge(EPISODE), honest(EPISODE)
+CHALLENGE, HONEST = challenge(EPISODE).choose, honest(EPISODE).choose
 """The episode asks for the class `cup`, and its one candidate is named `cup`."""
 
 

@@ -25,6 +25,7 @@ from uniteam.errors import InvalidInputError
 from uniteam.geometry import pose_matrix
 from uniteam.interface import DiscreteAction
 from uniteam.stretch import HEAD_CAMERA_HALF
+from uniteam.world.simulation.graspable import TAKE_NOTHING, GraspRule
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.simulation.touches import Touches
 from uniteam.world.task.episode import Candidate
@@ -70,7 +71,7 @@ def _hold(judged: Judged, name: str) -> None:
     x, y, _ = judged.simulator.gripper_to_world()[:3, 3]
     judged.put(name, float(x), float(y), 0.3)
     for action in (DiscreteAction.MANIPULATION_MODE, DiscreteAction.SNAP_OBJECT):
-        judged.simulator.apply(action, lambda things: name)
+        judged.simulator.apply(action, GraspRule(lambda things: name))
     assert judged.simulator.held == name
 
 
@@ -150,7 +151,7 @@ def test_nothing_is_placed_before_the_receptacle_was_found(simulator: Simulator)
 def test_a_receptacle_that_is_found_while_the_object_rests_on_it_makes_it_placed(simulator: Simulator) -> None:
     judged = _put_down(simulator, PICKED)
     judged.wait(60)
-    simulator.apply(DiscreteAction.EMPTY_ACTION, lambda things: None)
+    simulator.apply(DiscreteAction.EMPTY_ACTION, TAKE_NOTHING)
     judged.judge.measures = CARRIED
     assert judged.wait(1).place_success
 

@@ -8,6 +8,7 @@ from uniteam.adapters.gymnasium.open_home import OpenHome
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import BasePose, wrap_angle
 from uniteam.interface import DiscreteAction
+from uniteam.world.simulation.graspable import GraspRule
 from uniteam.world.task.episode import Candidate, Episode
 
 LEAST_WAY = 3.0
@@ -45,7 +46,7 @@ def take_object(place: OpenHome, episode: Episode, generator: np.random.Generato
     """Put a random object that counts into the gripper, from wherever it lies, and return its name."""
     name = episode.objects[generator.integers(len(episode.objects))].name
     place.simulator.reset(episode.start)
-    place.simulator.apply(DiscreteAction.SNAP_OBJECT, lambda things: name)
+    place.simulator.apply(DiscreteAction.SNAP_OBJECT, GraspRule(lambda things: name))
     return name
 
 

@@ -1,4 +1,4 @@
-"""The named changes of the baseline, each of which can be switched on and off: the UniTeam report's, and those beyond.
+"""The named changes of the baseline, each of which can be switched on and off: the report's, those beyond, and others.
 
 An improvement puts something in the place of what the baseline does there. Where a configuration does something else
 there already, the improvement does not fit, and says so. All that are built in change different places, so any set of
@@ -11,8 +11,12 @@ from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.mind.agents.beyond import BEYOND
 from uniteam.mind.agents.config import AgentConfig
 from uniteam.mind.agents.improvement import Improvement, ImprovementError
+from uniteam.mind.agents.other_ways import OTHER_WAYS
 from uniteam.mind.agents.report import REPORT
 from uniteam.registry import Registry
+
+BUILT_IN = (*REPORT, *BEYOND, *OTHER_WAYS)
+"""All that are built in, in the order in which they are applied."""
 
 
 def improved(config: AgentConfig, improvements: Iterable[str | Improvement]) -> AgentConfig:
@@ -46,7 +50,7 @@ def _applied(improvement: Improvement, config: AgentConfig) -> AgentConfig:
 
 
 def _place_in_order(improvement: Improvement) -> tuple[int, str]:
-    built_in = [other.name for other in (*REPORT, *BEYOND)]
+    built_in = [other.name for other in BUILT_IN]
     return built_in.index(improvement.name) if improvement.name in built_in else len(built_in), improvement.name
 
 
@@ -60,5 +64,5 @@ def _checked(name: str, value: object) -> Improvement:
 
 
 IMPROVEMENTS: Registry[Improvement] = Registry("improvement", "uniteam.improvements", _checked)
-for _improvement in (*REPORT, *BEYOND):
+for _improvement in BUILT_IN:
     IMPROVEMENTS.register(_improvement.name, _improvement)

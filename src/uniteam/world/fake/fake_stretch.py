@@ -59,7 +59,7 @@ class FakeStretch:
         self.motors = Motors(self.dials.agility)
         self._odometry = Odometry(self.dials.drift, self.rng)
         self._judge = Judge(self.simulator.home, self._episode)
-        self._events, self._is_closed, self._is_run_stopped = NOTHING, False, False
+        self._events, self._is_closed, self._is_run_stopped = NOTHING, True, False
         self.time, self._until_physics, self._until_picture = 0.0, 0.0, 0.0
         self.picture_count = 0
         self.frame: Frame = self.simulator.render()

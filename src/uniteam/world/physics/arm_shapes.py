@@ -11,15 +11,26 @@ from uniteam.world.assets.model import Box
 
 @dataclass(frozen=True)
 class ArmBox:
-    """A box (base frame, where every joint is at zero) that moves with a group of `stretch.link_motions`."""
+    """A box (base frame, where every joint is at zero) that moves with a group of `stretch.link_motions`.
+
+    Attributes:
+        group: with which it moves.
+        box: itself; a finger as `FINGER_GAP` has it.
+        side: to which side along x it moves when the fingers open: 1, -1, or 0 for what is no finger.
+    """
 
     group: str
     box: Box
+    side: int = 0
 
 
-def _between(group: str, low: tuple[float, float, float], high: tuple[float, float, float]) -> ArmBox:
+def _between(group: str, low: tuple[float, float, float], high: tuple[float, float, float], side: int = 0) -> ArmBox:
     (x0, y0, z0), (x1, y1, z1) = low, high
-    return ArmBox(group, Box(((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2), (x1 - x0, y1 - y0, z1 - z0)))
+    return ArmBox(group, Box(((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2), (x1 - x0, y1 - y0, z1 - z0)), side)
+
+
+FINGER_GAP = 0.018
+"""How far apart the two boxes of the fingers are (m) with the gripper as in the URDF."""
 
 
 ARM_BOXES = (
@@ -31,6 +42,6 @@ ARM_BOXES = (
     _between("wrist_yaw", (-0.090, -0.163, 0.123), (0.004, -0.100, 0.202)),
     _between("wrist_pitch", (-0.042, -0.178, 0.095), (0.001, -0.124, 0.160)),
     _between("gripper", (-0.048, -0.288, 0.073), (0.005, -0.164, 0.130)),
-    _between("gripper", (-0.070, -0.429, 0.105), (-0.030, -0.213, 0.131)),
-    _between("gripper", (-0.012, -0.429, 0.105), (0.027, -0.213, 0.131)),
+    _between("gripper", (-0.070, -0.429, 0.105), (-0.030, -0.213, 0.131), side=-1),
+    _between("gripper", (-0.012, -0.429, 0.105), (0.027, -0.213, 0.131), side=1),
 )

@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from uniteam.geometry import BasePose, wrap_angle
 from uniteam.interface import Joints
-from uniteam.stretch import clamp_joints
+from uniteam.stretch import OPEN_FINGER, clamp_joints
 from uniteam.world.real.channel import Channel
 from uniteam.world.real.drive import Drive, travelled, turned
 from uniteam.world.real.link import RobotState, View
@@ -24,7 +24,7 @@ from uniteam.world.real.safety import SafetyLimits
 
 SMALL_DISTANCE = 0.2
 """Up to which (m) the base is moved by positions."""
-GRIPPER_OPEN, GRIPPER_CLOSED = 0.6, -0.3
+GRIPPER_OPEN, GRIPPER_CLOSED = OPEN_FINGER, -0.3
 """What the gripper is sent to (rad of a finger); the fingertips touch at 0 and press below."""
 STILL, STILL_ANGLE = 0.002, 0.01
 """What moved less from one look to the next (m; rad) stands still."""

@@ -14,7 +14,7 @@ import numpy as np
 from uniteam.errors import UnavailableError
 from uniteam.geometry import BasePose, wrap_angle
 from uniteam.interface import Joints
-from uniteam.stretch import clamp_joints, head_camera_to_base
+from uniteam.stretch import FULL_OPENING, clamp_joints, head_camera_to_base
 from uniteam.world.real.head_camera import HeadCamera, RealSenseHead
 from uniteam.world.real.link import Clock, RobotState, View
 from uniteam.world.real.pace import Pace, Patience
@@ -24,8 +24,8 @@ from uniteam.world.real.system_clock import SystemClock
 
 ACCELERATION, TURN_ACCELERATION = 0.1, 0.3
 """Of the base (m/s2, rad/s2): gentle."""
-GRIPPER_OPEN, GRIPPER_CLOSED = 50.0, -100.0
-"""What the gripper is sent to, in its own percent; the fingertips touch at 0."""
+GRIPPER_OPEN, GRIPPER_CLOSED = FULL_OPENING / 0.09 * 70.0, -100.0
+"""What the gripper is sent to, in its own percent: the fingertips touch at 0 and are 0.09 m apart at 70."""
 STILL, STILL_ANGLE = 0.002, 0.01
 """What moved less from one look to the next (m; rad) stands still."""
 

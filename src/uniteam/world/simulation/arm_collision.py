@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from uniteam.geometry import pose_matrix
 from uniteam.interface import Joints
 from uniteam.stretch import gripper_to_base, link_motions
-from uniteam.world.physics.arm_shapes import ARM_BOXES
+from uniteam.world.physics.arm_shapes import ARM_BOXES, FINGER_GAP, ArmBox
 from uniteam.world.physics.physics import Physics
 from uniteam.world.simulation.held_object import HeldObject
 from uniteam.world.simulation.robot_state import RobotState
@@ -51,8 +51,9 @@ class ArmCollider:
         What the gripper has let go of is no part of the scene until it is clear of the fingers.
         """
         geoms = self._moving_geoms(held)
-        frames = {joints: _frames(joints, held, len(geoms)) for joints in {state.joints for state in path}}
-        to_world = np.array([state.base.matrix() @ frames[state.joints] for state in path])
+        postures = {(state.joints, state.opening) for state in path}
+        frames = {posture: _frames(*posture, held, len(geoms)) for posture in postures}
+        to_world = np.array([state.base.matrix() @ frames[state.joints, state.opening] for state in path])
         low, high = _boxes(to_world, self._model.low[geoms], self._model.high[geoms])
         things = self._things_near(low.min(axis=(0, 1)), high.max(axis=(0, 1)), held)
         near = _overlap(low[:, :, None], high[:, :, None], self._low[things], self._high[things])
@@ -64,6 +65,39 @@ class ArmCollider:
             for mover, thing in self._met(geoms, to_world[sample], things, open_pairs):
                 first.setdefault(int(kinds[mover, thing]), str(self._owners[things[thing]]))
         return Touches(*(first.get(kind) for kind in (_ROBOT_SCENE, _OBJ_SCENE, _ROBOT_OBJ)))
+
+    def finger_depths(self, state: RobotState, drawn_back: float = 0.0) -> tuple[dict[str, float], ...]:
+        """Return how deep each finger would be in each thing that it meets (m), by the things' names.
+
+        Args:
+            state: of the robot.
+            drawn_back: by how much (m) the fingers are shorter than they are.
+        """
+        base, frames = state.base.matrix(), _arm_frames(state.joints, state.opening)
+        back = np.eye(4)
+        back[1, 3] = drawn_back
+        fingers = [number for number, part in enumerate(ARM_BOXES) if part.side != 0]
+        return tuple(self._depths(self._model.arm[number], base @ frames[number] @ back) for number in fingers)
+
+    def is_small(self, name: str) -> bool:
+        """Return whether an instance is one that physics moves."""
+        return bool(self._is_small[self._owners == name].all())
+
+    def _depths(self, geom: int, to_world: NDArray[np.float64]) -> dict[str, float]:
+        """Return how deep a geom of the arm would be in each thing (m), by the things' names."""
+        low, high = _boxes(to_world[None], self._model.low[[geom]], self._model.high[[geom]])
+        depths = dict[str, float]()
+        for thing in self._things_near(low[0] - TOUCH_DEPTH, high[0] + TOUCH_DEPTH, None):
+            depth = -self._distance(geom, int(thing), to_world @ self._geom_to_body[geom])
+            name = str(self._owners[thing])
+            depths[name] = max(depth, depths.get(name, 0.0))
+        return depths
+
+    def _distance(self, geom: int, thing: int, pose: NDArray[np.float64]) -> float:
+        """Return the distance (m) of a geom of the arm at a pose (world) from a thing; 0 where they do not meet."""
+        data = self._physics.still_data()
+        data.geom_xpos[geom], data.geom_xmat[geom] = pose[:3, 3], pose[:3, :3].reshape(9)
+        return float(mujoco.mj_geomDistance(self._model.mujoco, data, geom, thing, 0.0, None))
 
     def _kinds(self, count: int, things: NDArray[np.int64]) -> NDArray[np.int64]:
         """Return the kind of collision that each of `count` moving geoms would have with each thing, (count, T)."""
@@ -128,15 +162,22 @@ def _geom_frames(model: Any) -> NDArray[np.float64]:
 
 
 @lru_cache(maxsize=256)
-def _arm_frames(joints: Joints) -> NDArray[np.float64]:
-    """Return how each of `ARM_BOXES` is displaced, (B, 4, 4)."""
+def _arm_frames(joints: Joints, opening: float) -> NDArray[np.float64]:
+    """Return how each of `ARM_BOXES` is displaced, (B, 4, 4), with the fingers so far apart (m)."""
     motions = link_motions(joints)
-    return np.array([motions[part.group] for part in ARM_BOXES])
+    return np.array([motions[part.group] @ _spread(part, opening) for part in ARM_BOXES])
 
 
-def _frames(joints: Joints, held: HeldObject | None, count: int) -> NDArray[np.float64]:
+def _spread(part: ArmBox, opening: float) -> NDArray[np.float64]:
+    """Return the (4, 4) displacement of a box by the opening of the fingers, with every joint at zero."""
+    motion = np.eye(4)
+    motion[0, 3] = part.side * (opening - FINGER_GAP) / 2
+    return motion
+
+
+def _frames(joints: Joints, opening: float, held: HeldObject | None, count: int) -> NDArray[np.float64]:
     """Return the (count, 4, 4) transforms to the base frame of the arm's boxes and of each shape of the held object."""
-    arm = _arm_frames(joints)
+    arm = _arm_frames(joints, opening)
     if held is None:
         return arm
     hanging = np.broadcast_to(held.to_base(gripper_to_base(joints)), (count - len(arm), 4, 4))

@@ -1,7 +1,7 @@
-"""Grasping and letting go: the challenge's "magic snap".
+"""Grasping and letting go, by a grasp rule.
 
-What is grasped is in the gripper at once, from wherever it lay; which object that is, a grasp rule says. What the
-gripper lets go of falls from where it hung.
+It says which object is taken, and how it is held. By the challenge's "magic snap" that is in the gripper at once, from
+wherever it lay. What the gripper lets go of falls from where it hung.
 """
 
 from collections.abc import Iterator
@@ -15,7 +15,7 @@ from uniteam.world.homes.home import Home
 from uniteam.world.physics.collision_shapes import model_vertices
 from uniteam.world.physics.physics import Physics
 from uniteam.world.simulation.graspable import Graspable, GraspRule
-from uniteam.world.simulation.held_object import HeldObject, hang
+from uniteam.world.simulation.held_object import HeldObject
 from uniteam.world.simulation.robot_state import RobotState
 
 CENTRE_SHARE = 0.25
@@ -37,19 +37,22 @@ class Gripper:
         self._vertices = {i.name: model_vertices(home.model_of(i).shapes) for i in home.instances if i.movable}
         self.held: HeldObject | None = None
 
-    def snap(self, rule: GraspRule, instances: NDArray[np.integer], state: RobotState) -> str | None:
+    def snap(
+        self, rule: GraspRule, instances: NDArray[np.integer], state: RobotState, enclosed: str | None
+    ) -> str | None:
         """Take the object that a rule names and say which; a full gripper takes nothing.
 
         Args:
             rule: which object to take.
             instances: (H, W) what the head camera sees, as indices of the home's instances.
             state: of the robot.
+            enclosed: what the fingers would close around.
         """
-        name = None if self.held is not None else rule(tuple(self._graspable(instances, state)))
+        name = None if self.held is not None else rule.choose(tuple(self._graspable(instances, state, enclosed)))
         if name is None:
             return None
         object_to_base = invert_transform(state.base.matrix()) @ self._physics.pose(name)
-        self.held = hang(name, self._vertices[name], object_to_base)
+        self.held = rule.hold(name, self._vertices[name], object_to_base, gripper_to_base(state.joints)[:3, 3])
         self._physics.remove(name)
         return name
 
@@ -68,14 +71,17 @@ class Gripper:
             return {}
         return {self.held.name: state.base.matrix() @ self.held.to_base(gripper_to_base(state.joints))}
 
-    def _graspable(self, instances: NDArray[np.integer], state: RobotState) -> Iterator[Graspable]:
+    def _graspable(
+        self, instances: NDArray[np.integer], state: RobotState, enclosed: str | None
+    ) -> Iterator[Graspable]:
         in_view, in_centre = set(np.unique(instances)), set(np.unique(_centre(instances)))
         x, y = (state.base.matrix() @ gripper_to_base(state.joints))[:2, 3]
         for index, instance in enumerate(self._home.instances):
             if instance.movable:
                 middle = self._middle(instance.name)
                 distance = float(np.hypot(middle[0] - x, middle[1] - y))
-                yield Graspable(instance.name, instance.category, distance, index in in_view, index in in_centre)
+                seen = index in in_view, index in in_centre
+                yield Graspable(instance.name, instance.category, distance, *seen, instance.name == enclosed)
 
     def _middle(self, name: str) -> NDArray[np.float64]:
         points = transform_points(self._physics.pose(name), self._vertices[name])

@@ -1,6 +1,7 @@
 """What the gripper holds, and where it hangs."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import cv2
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 class HeldObject:
     """An object that hangs in the gripper.
 
-    It stays as level as it lay, however the wrist turns; its top is centred at the grasp centre.
+    It stays as level as it lay, however the wrist turns.
 
     Attributes:
         name: of the instance.
@@ -34,21 +35,32 @@ class HeldObject:
         return matrix
 
 
-def hang(name: str, vertices: NDArray[np.float64], object_to_base: NDArray[np.float64]) -> HeldObject:
-    """Return the object as the gripper takes it: turned about the vertical so that its long side lies along the base.
+Hold = Callable[[str, NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]], HeldObject]
+"""From an object's name, the (V, 3) vertices of its collision shapes (m, model frame), the (4, 4) pose (base frame) in
+which it lay and the grasp centre (3,) (m, base frame) to how it is held."""
 
-    So a long object sticks out ahead and behind, not to the side, and lies along a shelf's edge when it is put down.
 
-    Args:
-        name: of the instance.
-        vertices: (V, 3) of its collision shapes (m, model frame).
-        object_to_base: (4, 4), where it lay when it was grasped.
+def hang(
+    name: str, vertices: NDArray[np.float64], object_to_base: NDArray[np.float64], grasp_centre: NDArray[np.float64]
+) -> HeldObject:
+    """Return the object as the challenge's gripper takes it: with its top centred at the grasp centre.
+
+    It is turned about the vertical so that its long side lies along the base. So a long object sticks out ahead and
+    behind, not to the side, and lies along a shelf's edge when it is put down. Takes what `Hold` says.
     """
     axes = _turn_long_side(vertices @ object_to_base[:3, :3].T) @ object_to_base[:3, :3]
     points = vertices @ axes.T
     low, high = points.min(axis=0), points.max(axis=0)
     offset = -np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, high[2]])
     return HeldObject(name, axes, offset, float(np.linalg.norm(points + offset, axis=1).max()))
+
+
+def hold_as_it_lies(
+    name: str, vertices: NDArray[np.float64], object_to_base: NDArray[np.float64], grasp_centre: NDArray[np.float64]
+) -> HeldObject:
+    """Return the object as fingers take it that close around it: where it is. Takes what `Hold` says."""
+    axes, offset = object_to_base[:3, :3], object_to_base[:3, 3] - grasp_centre
+    return HeldObject(name, axes, offset, float(np.linalg.norm(vertices @ axes.T + offset, axis=1).max()))
 
 
 def _turn_long_side(points: NDArray[np.float64]) -> NDArray[np.float64]:

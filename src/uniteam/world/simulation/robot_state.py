@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 from uniteam.geometry import BasePose, wrap_angle
 from uniteam.interface import ACTION_LIMITS, BaseDisplacement, Joints
 from uniteam.stretch import clamp_joints
+from uniteam.world.physics.arm_shapes import FINGER_GAP
 
 SAMPLE_TRAVEL = 0.02
 """No point of the arm travels further than this (m) from one sample of a motion to the next."""
@@ -18,10 +19,11 @@ _TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class RobotState:
-    """Where the robot is: its base (world) and its joints."""
+    """Where the robot is: its base (world), its joints, and how far its fingers are apart (m)."""
 
     base: BasePose
     joints: Joints
+    opening: float = FINGER_GAP
 
 
 def admissible(displacement: BaseDisplacement) -> BaseDisplacement:
@@ -39,17 +41,17 @@ def _bounded(value: float, least: float, most: float) -> float:
 
 def translated(state: RobotState, x: float, y: float) -> RobotState:
     """Return the state after the base has moved by x and y (m, base frame)."""
-    return RobotState(state.base.compose(BasePose(x, y, 0.0)), state.joints)
+    return replace(state, base=state.base.compose(BasePose(x, y, 0.0)))
 
 
 def turned(state: RobotState, heading: float) -> RobotState:
     """Return the state after the base has turned on the spot (rad)."""
-    return RobotState(state.base.compose(BasePose(0.0, 0.0, heading)), state.joints)
+    return replace(state, base=state.base.compose(BasePose(0.0, 0.0, heading)))
 
 
 def with_joints(state: RobotState, joints: Joints) -> RobotState:
     """Return the state with the joints at the given positions, or as near as their ranges allow."""
-    return RobotState(state.base, clamp_joints(joints))
+    return replace(state, joints=clamp_joints(joints))
 
 
 def samples(start: RobotState, end: RobotState, turn: float, held_radius: float) -> Iterator[RobotState]:
@@ -77,7 +79,8 @@ def _between(start: RobotState, end: RobotState, turn: float, share: float) -> R
         start.base.y + share * (end.base.y - start.base.y),
         wrap_angle(start.base.heading + share * turn),
     )
-    return RobotState(base, start.joints if start.joints == end.joints else _blend(start.joints, end.joints, share))
+    joints = start.joints if start.joints == end.joints else _blend(start.joints, end.joints, share)
+    return RobotState(base, joints, end.opening)
 
 
 def _blend(start: Joints, end: Joints, share: float) -> Joints:

@@ -22,10 +22,12 @@ from uniteam.stretch import (
 )
 from uniteam.timing import section
 from uniteam.world.homes.home import Home
+from uniteam.world.physics.arm_shapes import FINGER_GAP
 from uniteam.world.physics.navigable_floor import NavigableFloor
 from uniteam.world.physics.physics import Physics, PhysicsState
 from uniteam.world.rendering.kernels.frame import Frame, Geometry
 from uniteam.world.simulation.arm_collision import ArmCollider
+from uniteam.world.simulation.fingers import Fingers
 from uniteam.world.simulation.floor_watch import FloorWatch
 from uniteam.world.simulation.graspable import GraspRule
 from uniteam.world.simulation.gripper import Gripper
@@ -78,6 +80,7 @@ class Simulator:
         self._collider = ArmCollider(self.physics)
         self._view = HomeView(home, self.physics)
         self._gripper = Gripper(home, self.physics)
+        self._fingers = Fingers(self._collider)
         self.reset(BasePose(*home.stage.rooms[0].middle, 0.0))
 
     def reset(self, base: BasePose) -> None:
@@ -97,7 +100,7 @@ class Simulator:
     def return_to(self, moment: Moment, base: BasePose) -> None:
         """Go on from a moment with the base elsewhere (world): for those who try things out, not for agents."""
         self.physics.restore(moment.physics)
-        self._state = RobotState(base, moment.state.joints)
+        self._state = replace(moment.state, base=base)
         self._gripper.held = moment.held
 
     @property
@@ -162,7 +165,7 @@ class Simulator:
 
         Args:
             action: what to do.
-            rule: which object the gripper takes when it snaps.
+            rule: how the gripper takes things and lets go of them.
         """
         before = self._state
         events = self._do(action, rule)
@@ -196,7 +199,9 @@ class Simulator:
 
     def _do(self, action: Action, rule: GraspRule) -> StepEvents:
         if action is DiscreteAction.SNAP_OBJECT:
-            return StepEvents(grasped=self._gripper.snap(rule, self.render_geometry().instances, self._state))
+            return self._snap(rule)
+        if action is DiscreteAction.DESNAP_OBJECT:
+            return self._release(rule)
         if isinstance(action, DiscreteAction):
             return _DISCRETE[action](self)
         if isinstance(action, BaseDisplacement):
@@ -227,8 +232,21 @@ class Simulator:
         lifted = self._pose(replace(self.joints, lift=EXTENDED_LIFT))
         return lifted.then(self._pose(replace(self.joints, arm=JOINT_LIMITS[1].arm)))
 
-    def _release(self) -> StepEvents:
-        return StepEvents(released=self._gripper.release(self._state))
+    def _snap(self, rule: GraspRule) -> StepEvents:
+        """Close the fingers; what they have between them then, or what the rule takes from elsewhere, is held."""
+        enclosed = self._fingers.enclosed(self._state)
+        grasped = self._gripper.snap(rule, self.render_geometry().instances, self._state, enclosed)
+        return StepEvents(grasped=grasped).then(self._spread(FINGER_GAP))
+
+    def _release(self, rule: GraspRule) -> StepEvents:
+        released = StepEvents(released=self._gripper.release(self._state))
+        return released.then(self._spread(rule.opening))
+
+    def _spread(self, opening: float) -> StepEvents:
+        """Bring the fingers so far apart (m)."""
+        if self._state.opening == opening:
+            return NOTHING
+        return self._go(replace(self._state, opening=opening), 0.0)
 
     def _go(self, end: RobotState, turn: float) -> StepEvents:
         """Move to a state and say what was met on the way."""
@@ -255,6 +273,5 @@ _DISCRETE: Mapping[DiscreteAction, Callable[[Simulator], StepEvents]] = {
     DiscreteAction.NAVIGATION_MODE: lambda simulator: simulator._pose(NAVIGATION_POSTURE),
     DiscreteAction.MANIPULATION_MODE: Simulator._manipulation_mode,
     DiscreteAction.EXTEND_ARM: Simulator._extend_arm,
-    DiscreteAction.DESNAP_OBJECT: Simulator._release,
 }
-"""What each discrete action does, but for the grasp, which needs its target."""
+"""What each discrete action does, but for those of the gripper, which need a rule."""

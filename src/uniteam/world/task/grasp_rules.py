@@ -1,14 +1,16 @@
 """Which object the gripper takes when it snaps: the rule is a value of the task.
 
 `challenge` is the evaluator's own (habitat-lab's OVMM branch, `_snap_closest_valid_object`): it knows what is asked,
-so the gripper cannot take a wrong thing. `honest` knows nothing: the gripper takes what it is pointed at.
+so the gripper cannot take a wrong thing. `honest` knows nothing: the gripper takes what it is pointed at. `arm` is no
+snap: the gripper takes what its fingers close around, and opens as wide as a Stretch's.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 
 from uniteam.errors import UnknownNameError
-from uniteam.stretch import GRASP_RANGE
+from uniteam.stretch import FULL_OPENING, GRASP_RANGE
 from uniteam.world.simulation.graspable import Graspable, GraspRule
+from uniteam.world.simulation.held_object import hold_as_it_lies
 from uniteam.world.task.episode import Episode
 
 EpisodeGraspRule = Callable[[Episode], GraspRule]
@@ -22,10 +24,15 @@ def challenge(episode: Episode) -> GraspRule:
 
 def honest(episode: Episode) -> GraspRule:
     """Take the nearest small object in range that the camera points at, whatever it is; the episode does not matter."""
-    return take_what_is_pointed_at
+    return GraspRule(take_what_is_pointed_at)
 
 
-GRASP_RULES: Mapping[str, EpisodeGraspRule] = {"challenge": challenge, "honest": honest}
+def arm(episode: Episode) -> GraspRule:
+    """Take what the closing fingers enclose, whatever it is, and hold it as it lies; the episode does not matter."""
+    return GraspRule(take_what_is_enclosed, hold_as_it_lies, FULL_OPENING)
+
+
+GRASP_RULES: Mapping[str, EpisodeGraspRule] = {"challenge": challenge, "honest": honest, "arm": arm}
 
 
 def grasp_rule_named(name: str) -> EpisodeGraspRule:
@@ -44,7 +51,12 @@ def take_candidate(category: str, candidates: Collection[str]) -> GraspRule:
             return None
         return _nearest(thing for thing in everything if thing.name in candidates)
 
-    return rule
+    return GraspRule(rule)
+
+
+def take_what_is_enclosed(things: Iterable[Graspable]) -> str | None:
+    """Return the small object that the closing fingers would have between them."""
+    return next((thing.name for thing in things if thing.is_enclosed), None)
 
 
 def take_what_is_pointed_at(things: Iterable[Graspable]) -> str | None:

@@ -89,7 +89,7 @@ def take_what_is_gazed_at(place: OpenHome) -> GraspRule:
         x, y = place.middle(name)
         return name if GAZE_RANGE[0] <= place.simulator.base.distance_to(x, y) <= GAZE_RANGE[1] else None
 
-    return rule
+    return GraspRule(rule)
 
 
 def _begin_gaze(place: OpenHome, episode: Episode, generator: np.random.Generator) -> Referee:
@@ -99,7 +99,7 @@ def _begin_gaze(place: OpenHome, episode: Episode, generator: np.random.Generato
 
 def _begin_pick(place: OpenHome, episode: Episode, generator: np.random.Generator) -> Referee:
     _begin(place, episode, generator)
-    return GraspReferee(place, episode, take_what_is_pointed_at, Penalties(blocked=1.0, touch=6.0))
+    return GraspReferee(place, episode, GraspRule(take_what_is_pointed_at), Penalties(blocked=1.0, touch=6.0))
 
 
 def _begin(place: OpenHome, episode: Episode, generator: np.random.Generator) -> None:

@@ -23,7 +23,7 @@ from uniteam.adapters.gymnasium.sensors import (
 from uniteam.adapters.gymnasium.starts import reachable, start_away, take_object
 from uniteam.adapters.gymnasium.task import Measures, Referee, Task, Verdict
 from uniteam.interface import Action, DiscreteAction
-from uniteam.world.simulation.graspable import GraspRule, take_nothing
+from uniteam.world.simulation.graspable import TAKE_NOTHING, GraspRule
 from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.episode import Candidate, Episode
 from uniteam.world.task.judge import VIEW_COVERAGE
@@ -40,7 +40,7 @@ TURN_REWARD_DISTANCE = 3.0
 class NavigationReferee:
     """Rewards the way to the nearest of some goals, and near it the turn to face it."""
 
-    grasp_rule: GraspRule = staticmethod(take_nothing)
+    grasp_rule: GraspRule = TAKE_NOTHING
 
     def __init__(self, place: OpenHome, goals: tuple[Candidate, ...]) -> None:
         """Begin where the robot stands now."""

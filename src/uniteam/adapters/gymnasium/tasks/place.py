@@ -16,7 +16,7 @@ from uniteam.adapters.gymnasium.sensors import (
 from uniteam.adapters.gymnasium.starts import reachable, start_before, take_object
 from uniteam.adapters.gymnasium.task import Measures, Referee, Task, Verdict
 from uniteam.interface import Action
-from uniteam.world.simulation.graspable import GraspRule, take_nothing
+from uniteam.world.simulation.graspable import TAKE_NOTHING, GraspRule
 from uniteam.world.simulation.step_events import StepEvents
 from uniteam.world.task.episode import Episode
 from uniteam.world.task.judge import REST_STEPS, lies_on, rests_on
@@ -37,7 +37,7 @@ TOUCH, TOUCH_END = -1.0, -5.0
 class PlaceReferee:
     """Rewards the object's arrival on a goal receptacle, and its rest there."""
 
-    grasp_rule: GraspRule = staticmethod(take_nothing)
+    grasp_rule: GraspRule = TAKE_NOTHING
 
     def __init__(self, place: OpenHome, episode: Episode, held: str) -> None:
         """Begin with the object in the gripper."""

@@ -17,13 +17,32 @@ from uniteam.stretch import gripper_to_base
 Prepare = Callable[[View], Skill[View]]
 """What is done between standing in manipulation mode and snapping; answers with the last view."""
 GraspCheck = Callable[[View], bool]
-"""Whether the view after the snap says that it was a success."""
+"""Whether the view after the grasp says that it was a success."""
+
+
+@dataclass(frozen=True)
+class Taken:
+    """What is seen once the gripper has closed, and the room that what it holds then takes, as far as is known."""
+
+    view: View
+    load: Load
+
+
+Take = Callable[[View, Load], Skill[Taken]]
+"""How the gripper is closed on the object, given the room that was seen of it."""
 
 
 def do_nothing(view: View) -> Skill[View]:
     """Leave everything as it is."""
     yield from ()
     return view
+
+
+def snap(view: View, load: Load) -> Skill[Taken]:
+    """Snap at the object from where the gripper is, as in the challenge."""
+    name = view.instruction.object_category.replace("_", " ")
+    view = yield discrete(DiscreteAction.SNAP_OBJECT, f"I snap at the {name}.")
+    return Taken(view, load)
 
 
 @dataclass(frozen=True)
@@ -33,9 +52,10 @@ class PickConfig:
     Attributes:
         tilt_head: how the head looks for the object.
         step_back: how the base then draws back for it.
+        take: how the gripper then takes it.
         look_around: how the base then looks for it.
         reach_out: how the gripper is then brought within reach of it.
-        is_grasped: how the snap is judged.
+        is_grasped: how that is judged.
         leave: how the robot gets back to driving.
     """
 
@@ -45,6 +65,7 @@ class PickConfig:
     is_grasped: GraspCheck
     leave: Callable[[View, str], Skill[View]] = fold
     step_back: Prepare = do_nothing
+    take: Take = snap
 
 
 @dataclass(frozen=True)
@@ -53,7 +74,7 @@ class PickResult:
 
     Attributes:
         grasped: whether it counts as a success.
-        load: what the gripper holds, by what was seen of it before the snap.
+        load: what the gripper holds, by what was seen of it before the grasp.
     """
 
     grasped: bool
@@ -61,19 +82,19 @@ class PickResult:
 
 
 def pick(view: View, config: PickConfig) -> Skill[PickResult]:
-    """Snap at the object beside which the robot stands and faces; ends in navigation mode."""
+    """Take the object beside which the robot stands and faces; ends in navigation mode."""
     name = view.instruction.object_category.replace("_", " ")
     seen_before = load_seen(view)
     view = yield discrete(DiscreteAction.MANIPULATION_MODE, f"I stand at the {name} and point the arm at it.")
     for prepare in (config.tilt_head, config.step_back, config.look_around, config.reach_out):
         view = yield from prepare(view)
-    load = seen_before.enclosing(load_seen(view))
-    view = yield discrete(DiscreteAction.SNAP_OBJECT, f"I snap at the {name}.")
-    grasped = config.is_grasped(view)
-    view = yield from move_joints(view, replace(view.observation.joints, arm=0.0), "I retract the arm.")
+    taken = yield from config.take(view, seen_before.enclosing(load_seen(view)))
+    grasped = config.is_grasped(taken.view)
+    joints = replace(taken.view.observation.joints, arm=0.0)
+    view = yield from move_joints(taken.view, joints, "I retract the arm.")
     outcome = f"The {name} is in the gripper, I believe" if grasped else f"The gripper is empty, so I missed the {name}"
     yield from config.leave(view, f"{outcome}; back to driving.")
-    return PickResult(grasped, load)
+    return PickResult(grasped, taken.load)
 
 
 def trust_the_snap(view: View) -> bool:
