@@ -61,8 +61,22 @@ def test_what_the_fingers_close_around_is_held_where_it_is(simulator: Simulator)
 
 @pytest.mark.parametrize(
     ("name", "aside", "top"),
-    [("mug", 0.11, 0.05), ("mug", 0.3, 0.05), ("mug", 0.0, -0.017), ("mug", 0.0, 0.16), ("bowl", 0.0, 0.03)],
-    ids=["under a finger", "beside them", "below the tips", "up to the palm", "wider than they open"],
+    [
+        ("mug", 0.036, 0.05),
+        ("mug", 0.11, 0.05),
+        ("mug", 0.3, 0.05),
+        ("mug", 0.0, -0.017),
+        ("mug", 0.0, 0.16),
+        ("bowl", 0.0, 0.03),
+    ],
+    ids=[
+        "far from the middle",
+        "under a finger",
+        "beside them",
+        "below the tips",
+        "up to the palm",
+        "wider than they open",
+    ],
 )
 def test_nothing_is_taken_that_they_do_not_close_around(
     simulator: Simulator, name: str, aside: float, top: float
@@ -72,8 +86,8 @@ def test_nothing_is_taken_that_they_do_not_close_around(
 
 
 def test_nothing_is_taken_where_a_finger_meets_something_else_first(simulator: Simulator) -> None:
-    hold_out(simulator, "mug", aside=-0.03)
-    hold_out(simulator, "other_mug", aside=0.055)
+    hold_out(simulator, "mug", aside=-0.02)
+    hold_out(simulator, "other_mug", aside=0.01)
     assert simulator.apply(SNAP, ARM).grasped is None
 
 
