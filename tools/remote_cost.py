@@ -19,9 +19,10 @@ import cv2
 import tyro
 
 from uniteam.adapters.remote.agent_server import Place
-from uniteam.adapters.remote.served_evaluation import RemoteSpec, ServedEvaluation
+from uniteam.adapters.remote.served_episodes import RemoteSpec, ServedEpisodes
 from uniteam.evaluation.configuration import Run
 from uniteam.evaluation.episode_loop import play_episode
+from uniteam.evaluation.evaluation import Evaluation
 from uniteam.evaluation.worker import camera_named
 from uniteam.interface import Decision, DiscreteAction
 from uniteam.world.task.environment import Environment
@@ -94,10 +95,12 @@ def serve(split: Split, camera: str, perception: str, steps: int) -> float:
         path = Path(folder) / "measured.jsonl.gz"
         write_split(split, path)
         run = Run(str(path), {"turner": RemoteSpec("turner", perception)}, perception, camera)
-        with ServedEvaluation(run, Path(folder) / "out", Place(), 60.0, lambda sentence: None) as evaluation:
-            client = Thread(target=uniteam_client.play, args=(agent, evaluation.address), daemon=True)
+        served = ServedEpisodes(Place(), 60.0, lambda sentence: None)
+        with Evaluation(run, Path(folder) / "out") as evaluation:
+            client = Thread(target=uniteam_client.play, args=(agent, served.address), daemon=True)
             client.start()
-            evaluation.play(1, lambda *result: None, lambda *lost: None)
+            engine = served.engine(evaluation.split)
+            evaluation.play(1, lambda *result: None, lambda *lost: None, engine=engine)
             client.join()
     return agent.milliseconds
 
