@@ -87,7 +87,19 @@ def test_a_run_that_is_stopped_goes_on_with_the_same_command_and_the_same_agent(
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["guest (remote)"]["episode_count"] == 2
 
     split, out, page = (str(tmp_path / name) for name in ("two.jsonl.gz", "out", "page.html"))
-    beside = ("evaluate", "--agents", "random", "--split", split, "--out", out, "--workers", "1")
+    beside = (
+        "evaluate",
+        "--agents",
+        "random",
+        "--perception",
+        "truth",
+        "--split",
+        split,
+        "--out",
+        out,
+        "--workers",
+        "1",
+    )
     readings = {
         beside: "guest",
         ("leaderboard", out): "guest",

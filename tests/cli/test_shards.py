@@ -80,7 +80,7 @@ def test_a_shard_has_a_folder_of_its_own_and_no_other_is_played_into_it(
     monkeypatch.chdir(tmp_path)
     given = (*PLAY, "--split", str(two_episodes), "--shard")
     assert call(*given, "1/2") == 0
-    folder = tmp_path / "runs" / "two-truth-half-challenge-shard-1-of-2"
+    folder = tmp_path / "runs" / "two-learned-half-challenge-shard-1-of-2"
     assert len((folder / "results.jsonl").read_text().splitlines()) == 1
     assert call(*given, "2/2", "--out", str(folder)) == 2
     assert "shard.number was 1 and is now 2" in capsys.readouterr().err

@@ -41,19 +41,19 @@ COMMANDS = {
     ),
     "compare": Command(
         "compare agents on the episodes that all have played, with intervals and tests of the paired differences",
-        "uniteam compare runs/val-truth-half-challenge:baseline runs/val-truth-half-challenge:uniteam",
+        "uniteam compare runs/val-learned-half-challenge:baseline runs/val-learned-half-challenge:uniteam",
     ),
     "explain": Command(
         "say why each episode failed, and count the causes from all episodes down to overall success",
-        "uniteam explain runs/val-truth-half-challenge --figure why.png",
+        "uniteam explain runs/val-learned-half-challenge --figure why.png",
     ),
     "merge": Command(
         "make one run of the shards of a run",
-        "uniteam merge runs/val-truth-half-challenge-shard-* --out runs/val-truth-half-challenge",
+        "uniteam merge runs/val-learned-half-challenge-shard-* --out runs/val-learned-half-challenge",
     ),
     "verify": Command(
         "play some of a run's episodes again from their recorded actions, and compare every measure",
-        "uniteam verify runs/val-truth-half-challenge --episodes 20",
+        "uniteam verify runs/val-learned-half-challenge --episodes 20",
     ),
     "scale": Command(
         "say what a run of many episodes would take, from one that was played",
@@ -73,7 +73,7 @@ COMMANDS = {
     ),
     "report": Command(
         "make one page of runs: tables, success by tag, every episode with why it failed and its replay",
-        "uniteam report runs/val-truth-half-challenge --out report.html",
+        "uniteam report runs/val-learned-half-challenge --out report.html",
     ),
     "dial": Command(
         "play a split at several levels of perception's noise and draw success against noise",
@@ -89,7 +89,7 @@ COMMANDS = {
     ),
     "export": Command(
         "write recordings for other programs: a dataset for LeRobot, or one for the viewer of Rerun",
-        "uniteam export lerobot runs/val-truth-half-challenge:oracle --out demonstrations",
+        "uniteam export lerobot runs/val-learned-half-challenge:oracle --out demonstrations",
     ),
     "figures": Command(
         "draw the figures of the UniTeam report from runs of our agents", "uniteam figures --out figures"

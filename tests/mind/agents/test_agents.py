@@ -142,7 +142,7 @@ def doubtful(observation: Observation, instruction: Instruction) -> Segmentation
         Detection(((d.name, 0.62), ("lamp", 0.3))) if d.name != "lamp" else Detection((("bed", 0.3), ("lamp", 0.2)))
         for d in truth.detections
     )
-    ghost = Detection((("cup", 0.2), ("vase", 0.1)))
+    ghost = Detection((("cup", 0.1), ("vase", 0.05)))
     instances = truth.instances.copy()
     instances[:4, :4] = len(detections)
     return Segmentation(instances, (*detections, ghost))
