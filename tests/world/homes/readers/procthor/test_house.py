@@ -72,6 +72,13 @@ def test_small_objects_lie_within_a_surface_of_what_they_lay_on_and_apart(houses
     assert places["bowl"] < places["apple"] < places["cup"]  # from west to east, as in the house
 
 
+def test_on_a_turned_table_things_lie_where_they_lay(houses: Path) -> None:
+    home = read_procthor_house(houses).home
+    remote, books = one(home, "remote_control"), home.of_category("book")
+    assert remote.position[:2] == pytest.approx((2.05, 2.6), abs=0.05)
+    assert min(math.dist(book.position[:2], (2.0, 2.2)) for book in books) < 0.05
+
+
 def test_the_stand_in_is_the_nearest_in_size_of_those_kept_from_training(houses: Path) -> None:
     home, library = read_procthor_house(houses).home, load_catalogue()
     _, width, depth, height = ASSETS["Sofa_Mini_1"]

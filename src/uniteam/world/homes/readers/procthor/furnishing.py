@@ -98,7 +98,8 @@ class Furnisher:
         if entry.asset_id in self.assets:
             return self.assets[entry.asset_id].size
         hangs = CLASSES.get(type_of(entry, self.assets)) in HUNG
-        return (None, None, None if parent is not None or hangs else 2.0 * entry.position.y)
+        stands = parent is None and not hangs and entry.position.y > 0.0
+        return (None, None, 2.0 * entry.position.y if stands else None)
 
     def _on_floor(self, entry: ObjectEntry, model: Model, yaw: float, size: Sizes) -> tuple[float, float, float]:
         """Return where a model stands that keeps the asset's back where it was, within the room."""
