@@ -14,6 +14,7 @@ from typing import Any
 CEILING = 2.7
 Data = dict[str, Any]
 Corner = tuple[float, float]
+Rooms = dict[str, tuple[str, list[Corner]]]
 
 ASSETS: Mapping[str, tuple[str, float, float, float]] = {
     "Sofa_Mini_1": ("Sofa", 1.9, 0.9, 0.8),
@@ -67,7 +68,7 @@ def asset_database() -> Data:
 
 def first_house() -> Data:
     """Return the asymmetric house, in the schema 1.0.0."""
-    rooms = {
+    rooms: Rooms = {
         "2": ("LivingRoom", [(0, 0), (0, 5), (4, 5), (4, 3), (6, 3), (6, 0)]),
         "3": ("Kitchen", [(6, 0), (6, 3), (6, 4), (10, 4), (10, 0)]),
         "4": ("Bedroom", [(0, 5), (0, 9), (4, 9), (4, 5)]),
@@ -109,7 +110,7 @@ def first_house() -> Data:
 
 def second_house() -> Data:
     """Return a house in the schema 0.0.1, with an open wall between kitchen and living room."""
-    rooms = {
+    rooms: Rooms = {
         "2": ("LivingRoom", [(0, 0), (0, 4), (4, 4), (4, 0)]),
         "3": ("Kitchen", [(4, 0), (4, 4), (8, 4), (8, 0)]),
         "4": ("Bathroom", [(8, 0), (8, 4), (10.5, 4), (10.5, 0)]),
@@ -156,13 +157,7 @@ def _hole(name: str, wall0: str, wall1: str, along: Corner, up: Corner) -> Data:
     return {"id": name, "assetId": "Doorway_1", "wall0": wall0, "wall1": wall1, "holePolygon": polygon}
 
 
-def _house(
-    schema: str,
-    rooms: Mapping[str, tuple[str, list[Corner]]],
-    doors: list[Data],
-    windows: list[Data],
-    objects: list[Data],
-) -> Data:
+def _house(schema: str, rooms: Rooms, doors: list[Data], windows: list[Data], objects: list[Data]) -> Data:
     walls = [_wall(name, a, b) for name, (_, outline) in rooms.items() for a, b in _sides(outline)]
     counts = [wall["id"].partition("|")[2].partition("|")[2] for wall in walls]
     outside = [

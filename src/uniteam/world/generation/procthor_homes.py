@@ -23,7 +23,7 @@ def procthor_home(seed: int, path: Path) -> Home:
     home = settle(house.home)
     fell = Counter(i.category for i in house.home.instances) - Counter(i.category for i in home.instances)
     reasons = {"has no like here": house.unknown, "found no place": house.no_place, "did not come to rest": fell}
-    said = "; ".join(f"{what} {_listed(counts)}" for what, counts in reasons.items() if counts)
+    said = "; ".join(f"{what} {counted(counts)}" for what, counts in reasons.items() if counts)
     if said:
         _log.warning("house %d of %s: %d things stand in it; %s", seed, path, len(home.instances), said)
     return home
@@ -40,7 +40,7 @@ PROCTHOR: Family[Callable[[int], Home]] = Family(
 )
 
 
-def _listed(counts: Mapping[str, int]) -> str:
+def counted(counts: Mapping[str, int]) -> str:
     """Return the commonest names with their numbers: "5 (2 Faucet, 2 Lettuce, 1 more)"."""
     common = sorted(counts.items(), key=lambda item: (-item[1], item[0]))
     rest = sum(number for _, number in common[_MOST_NAMED:])
