@@ -91,7 +91,7 @@ class ObjectEntry(msgspec.Struct, rename="camel"):
     asset_id: Word
     position: Vector
     rotation: Rotation = Rotation()
-    children: "list[ObjectEntry]" = []
+    children: "Annotated[list[ObjectEntry], msgspec.Meta(max_length=2_000)]" = []
 
 
 class House(msgspec.Struct, rename="camel"):
