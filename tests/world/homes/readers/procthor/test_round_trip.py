@@ -13,7 +13,7 @@ from uniteam.world.homes.readers.procthor.classes import CLASSES, HUNG
 from uniteam.world.homes.readers.procthor.house import read_procthor_house
 from uniteam.world.task.splits import load_split
 
-TYPES = {category: kind for kind, category in reversed(CLASSES.items())}
+TYPES = {category: kind for kind, category in reversed(list(CLASSES.items()))}
 
 
 def yaw(instance: Instance) -> float:
