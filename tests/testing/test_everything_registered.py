@@ -1,8 +1,10 @@
 """Whatever is registered keeps what its interface promises."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
+from worlds.procthor_miniature import write_miniature
 
 from uniteam.errors import UnavailableError
 from uniteam.evaluation.agent_spec import AGENTS
@@ -48,8 +50,9 @@ def test_every_perception_passes(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", HOMES.names())
-def test_every_source_of_homes_passes(name: str) -> None:
-    check_home(name)
+def test_every_source_of_homes_passes(name: str, tmp_path: Path) -> None:
+    is_brought = isinstance(HOMES.look_up(name), Family)
+    check_home(f"{name}:{write_miniature(tmp_path)}" if is_brought else name)
 
 
 def test_the_environment_is_a_body() -> None:

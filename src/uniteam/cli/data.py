@@ -18,13 +18,16 @@ def data(
 ) -> None:
     """Say what of the challenge's data is in a folder, what is missing, what it costs in memory, and what does not fit.
 
-    The data are HomeRobot's episodes, HSSD's scenes and the objects, in HomeRobot's layout, which you bring yourself;
-    docs/official-data.md says from where.
+    The data are HomeRobot's episodes, HSSD's scenes and the objects, in HomeRobot's layout, or a file of ProcTHOR's
+    houses, which you bring yourself; docs/official-data.md says from where.
 
     Args:
         action: What to do.
-        folder: A folder with episodes.json.gz, or one above such folders.
+        folder: A folder with episodes.json.gz, or one above such folders; or a file of houses, such as val.jsonl.gz.
     """
+    if folder.is_file():
+        _check_houses(folder)
+        return
     from uniteam.world.task.ovmm.data_check import check_episodes, episode_folders
 
     console = make_console()
@@ -48,3 +51,30 @@ def data(
             console.print(f"Play it with: uniteam evaluate --split ovmm:{shown(found)}\n", soft_wrap=True)
     if first is not None:
         raise UniteamError(f"the data cannot be played as they are: {first}")
+
+
+def _check_houses(path: Path) -> None:
+    """Say what of a file of ProcTHOR's houses can be read."""
+    from uniteam.world.generation.procthor_homes import counted
+    from uniteam.world.homes.readers.procthor.survey import survey_houses
+
+    console = make_console()
+    with console.status("reading the houses"):
+        found = survey_houses(path)
+
+    def say(kind: str, sentence: str) -> None:
+        console.print(f"  {_WORDS[kind]}{' ' * (_COLUMN - len(kind))}{shown(sentence)}", soft_wrap=True)
+
+    console.print(f"[bold]{shown(path)}[/]", soft_wrap=True)
+    say("there", f"{found.houses} houses; the first {found.looked_at} were read.")
+    if not found.has_sizes:
+        say("missing", "asset-database.json beside it: stand-ins are chosen by their heights alone.")
+    say("there", f"{found.stood} things stand in them, models of the package in the places of theirs.")
+    for reason, counts in (("have no like here", found.unknown), ("found no place", found.no_place)):
+        if counts:
+            say("odd", f"{reason}, and are left out: {counted(counts)}.")
+    if found.faults:
+        say("odd", f"{len(found.faults)} houses cannot be read; the first: {next(iter(found.faults.values()))}")
+    if len(found.faults) == found.looked_at:
+        raise UniteamError(f"no house of {path} can be read: {next(iter(found.faults.values()), 'it holds none')}")
+    console.print(f"Draw one with: uniteam home 0 --source procthor:{shown(path)}", soft_wrap=True)

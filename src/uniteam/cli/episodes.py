@@ -29,8 +29,9 @@ def episodes(
         homes: seeds of the homes, as "9000:9010" (the last excluded) or "9000".
         out: the file to write; its name ends in .jsonl.gz.
         per_home: episodes wanted in each home.
-        source: what makes the homes: "test" for models kept from training, "train" for the others, or a function of
-            your own, "my_homes:lofts".
+        source: what makes the homes: "test" for models kept from training, "train" for the others, a function of
+            your own, "my_homes:lofts", or the houses of a file of ProcTHOR, "procthor:val.jsonl.gz", of which the
+            seeds are the numbers.
         style: "tidy" homes as a robot would like them, or "lived_in" ones as people leave them; not for a function of
             your own.
     """

@@ -36,8 +36,9 @@ def home(
 
     Args:
         what: seed of the home to generate, or a home's own file (JSON).
-        source: what makes the home of a seed: "test" for models kept from training, "train" for the others, or a
-            function of your own, "my_homes:lofts".
+        source: what makes the home of a seed: "test" for models kept from training, "train" for the others, a
+            function of your own, "my_homes:lofts", or the houses of a file of ProcTHOR, "procthor:val.jsonl.gz", of
+            which the seed is the number.
         style: "tidy" homes as a robot would like them, or "lived_in" ones as people leave them; not for a function of
             your own.
         out: directory for plan.png, above.png and a picture inside each room; "home_SEED" or "home_FILE" where none is

@@ -12,6 +12,7 @@ from typing import cast
 from uniteam.errors import InvalidInputError, UniteamError
 from uniteam.registry import Registry
 from uniteam.world.generation.generate import POOLS, check_seed, generate_home
+from uniteam.world.generation.procthor_homes import PROCTHOR
 from uniteam.world.generation.style import STYLES, TIDY, style_of
 from uniteam.world.homes.home import Home
 from uniteam.world.homes.serialization import check_home
@@ -55,6 +56,7 @@ HOMES: Registry[HomeSource] = Registry("source of homes", "uniteam.homes", _chec
 for _pool in POOLS:
     for _style in STYLES.values():
         HOMES.register(source_name(_pool, _style.name), partial(generate_home, pool=_pool, style=_style), __name__)
+HOMES.register("procthor", PROCTHOR, __name__)
 
 
 def home_of_seed(source: str, seed: int) -> Home:

@@ -1,0 +1,1 @@
+"""Houses of ProcTHOR, furnished with our models in the places of theirs."""
