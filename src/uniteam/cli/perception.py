@@ -11,7 +11,7 @@ from rich.table import Table
 from uniteam.cli.progress import counting
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
-from uniteam.files import try_output, write_whole
+from uniteam.files import try_folder, try_output, write_whole
 
 MOST_VIEWS = 10_000
 
@@ -24,6 +24,7 @@ def perception(
     camera: Literal["half", "full"] = "half",
     weights: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
     out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.md")] = None,
+    pictures: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
 ) -> None:
     """Measure a perception on views of a split's homes, and print what it is worth.
 
@@ -38,11 +39,15 @@ def perception(
         camera: Images of 240x320 (half) or of 480x640 (full), from which things are named.
         weights: Folder of networks of your own, as "uniteam train" writes it; the package's where none is given.
         out: A file (.md) to write the tables into.
+        pictures: A folder for the three views of which most, and the three of which least, was named rightly, each
+            beside what it was taken for; behind a wrong name stands what it is.
     """
     if not 1 <= views <= MOST_VIEWS or homes < 1:
         raise InvalidInputError(f"--homes must be at least 1 and --views from 1 to {MOST_VIEWS}, got {homes}, {views}")
     if out is not None:
         try_output(out, (".md",))
+    if pictures is not None:
+        try_folder(pictures)
     from uniteam.evaluation.worker import camera_named
     from uniteam.mind.perception.learned.networks import WEIGHTS
     from uniteam.training.report import as_markdown, homes_with_seen_instances, tables, watch
@@ -62,6 +67,9 @@ def perception(
         title = f"Perception {model}, {len(chosen)} homes of {split}, {views} views of each, camera {camera}.\n\n"
         write_whole(out, (title + as_markdown(measured)).encode())
         console.print(f"Written: {shown(out)}", soft_wrap=True)
+    if pictures is not None:
+        written = watched.examples.write(pictures)
+        console.print(f"Written: {len(written)} pictures in {shown(pictures)}", soft_wrap=True)
 
 
 def _show(measured: Mapping[str, list[tuple[str, ...]]], console: Console) -> None:

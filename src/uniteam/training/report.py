@@ -12,6 +12,7 @@ from uniteam.mind.perception.learned.eyes import Eyes
 from uniteam.mind.perception.learned.networks import read_card
 from uniteam.mind.perception.words.meaning import load_words
 from uniteam.training.calibration import FIRST_HOME
+from uniteam.training.example_views import ExampleViews
 from uniteam.training.figures import (
     BINS,
     asked_figures,
@@ -32,11 +33,12 @@ Rows = list[tuple[str, ...]]
 
 @dataclass(frozen=True)
 class Watched:
-    """What was seen in some homes, with the names that true regions got."""
+    """What was seen in some homes, with the names that true regions got, and the best and the worst views."""
 
     sightings: Sightings
     names: list[Named]
     unseen: frozenset[str]
+    examples: ExampleViews
 
 
 def watch(
@@ -44,7 +46,9 @@ def watch(
 ) -> Watched:
     """Look at views of homes with the networks of a folder."""
     eyes, card = Eyes(weights), read_card(weights)
-    watcher, names = Watcher(eyes, Asking(card, load_words()), camera), list[Named]()
+    asking = Asking(card, load_words())
+    examples = ExampleViews(asking)
+    watcher, names = Watcher(eyes, asking, camera, examples), list[Named]()
     unseen = homes[0].library.unseen_categories
     groups: list[Collection[str]] = [card.names["object"], sorted(unseen), RECEPTACLE_CATEGORIES]
     for number, home in enumerate(homes):
@@ -52,7 +56,7 @@ def watch(
         watcher.watch(seen, things_of(home))
         names += named(eyes, seen, things_of(home), groups, camera)
         on_home()
-    return Watched(watcher.sightings, names, unseen)
+    return Watched(watcher.sightings, names, unseen, examples)
 
 
 def homes_with_seen_instances(count: int) -> list[Home]:

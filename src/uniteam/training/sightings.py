@@ -14,6 +14,7 @@ from uniteam.mind.perception.learned.eyes import Eyes, Glimpse
 from uniteam.mind.perception.learned.kinds import Kind
 from uniteam.mind.perception.words.meaning import plain_words
 from uniteam.stretch import HEAD_CAMERA_FULL, HEAD_CAMERA_HALF
+from uniteam.training.example_views import Look, NoteLook, ignore_look
 from uniteam.training.records import Thing
 from uniteam.training.views import View
 from uniteam.world.assets.model import RECEPTACLE_CATEGORIES
@@ -90,9 +91,9 @@ class Sightings:
 class Watcher:
     """Looks at views and notes what it sees."""
 
-    def __init__(self, eyes: Eyes, asking: Asking, camera: PinholeCamera) -> None:
-        """Take the perception, and the camera with which it sees: the half or the full one."""
-        self._eyes, self._asking, self._camera = eyes, asking, camera
+    def __init__(self, eyes: Eyes, asking: Asking, camera: PinholeCamera, on_look: NoteLook = ignore_look) -> None:
+        """Take the perception, the camera with which it sees (half or full), and who is told of each view."""
+        self._eyes, self._asking, self._camera, self._on_look = eyes, asking, camera, on_look
         self.sightings = Sightings()
 
     def watch(self, views: Iterable[View], things: Sequence[Thing]) -> None:
@@ -106,8 +107,8 @@ class Watcher:
             self.sightings.seconds.append(perf_counter() - began)
             overlaps = _overlaps(glimpses, view.half.instances, len(things))
             self._note_present(view, things, overlaps, glimpses)
-            for glimpse, overlap in zip(glimpses, overlaps, strict=True):
-                index = int(overlap.argmax()) if overlap.size and overlap.max() >= MATCH else -1
+            matched = [int(o.argmax()) if o.size and o.max() >= MATCH else -1 for o in overlaps]
+            for glimpse, index in zip(glimpses, matched, strict=True):
                 pixels = int(np.count_nonzero(glimpse.region.mask))
                 for word in asked:
                     if word.kind is glimpse.region.kind:
@@ -120,6 +121,8 @@ class Watcher:
                             )
                             self.sightings.answers.append(answer)
             self._note_receptacles(view, things, glimpses)
+            there = [present.index for present in self.sightings.present if present.frame == self.sightings.frames]
+            self._on_look(Look(view.half.rgb, view.half.instances, things, glimpses, matched, there))
             self.sightings.frames += 1
 
     def _note_present(
