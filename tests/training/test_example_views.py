@@ -51,7 +51,7 @@ def test_the_views_with_the_largest_and_the_smallest_share_of_right_names_are_ke
     written = examples.write(tmp_path / "pictures")
     assert [path.name for path in written] == ["best-1.png", "best-2.png", "worst-1.png", "worst-2.png"]
     height, width = HEAD_CAMERA_HALF.height * SCALE, 2 * HEAD_CAMERA_HALF.width * SCALE
-    pictures = [cv2.imread(str(path)) for path in written]
+    pictures = [np.asarray(cv2.imread(str(path))) for path in written]
     assert {picture.shape for picture in pictures} == {(height, width, 3)}
     left, right = pictures[0][:, : width // 2], pictures[0][:, width // 2 :]
     assert (left != right).any(axis=2).mean() > 0.3, "one half is what was seen, the other what it was taken for"
