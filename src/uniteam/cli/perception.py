@@ -49,7 +49,10 @@ def perception(
     if pictures is not None:
         try_folder(pictures)
     from uniteam.evaluation.worker import camera_named
-    from uniteam.mind.perception.learned.networks import WEIGHTS
+    from uniteam.mind.perception.learned.asking import Asking
+    from uniteam.mind.perception.learned.networks import WEIGHTS, read_card
+    from uniteam.mind.perception.words.meaning import load_words
+    from uniteam.training.example_views import ExampleViews, ignore_look
     from uniteam.training.report import as_markdown, homes_with_seen_instances, tables, watch
     from uniteam.world.task.splits import load_split
 
@@ -59,16 +62,18 @@ def perception(
             homes_with_seen_instances(homes) if split == "seen-instances" else list(load_split(split).homes.values())
         )
     chosen = chosen[:homes]
+    folder = weights or WEIGHTS
+    examples = None if pictures is None else ExampleViews(Asking(read_card(folder), load_words()))
     with counting(console, "homes", len(chosen)) as advance:
-        watched = watch(chosen, weights or WEIGHTS, camera_named(camera), views, advance)
+        watched = watch(chosen, folder, camera_named(camera), views, advance, examples or ignore_look)
     measured = tables(watched)
     _show(measured, console)
     if out is not None:
         title = f"Perception {model}, {len(chosen)} homes of {split}, {views} views of each, camera {camera}.\n\n"
         write_whole(out, (title + as_markdown(measured)).encode())
         console.print(f"Written: {shown(out)}", soft_wrap=True)
-    if pictures is not None:
-        written = watched.examples.write(pictures)
+    if examples is not None and pictures is not None:
+        written = examples.write(pictures)
         console.print(f"Written: {len(written)} pictures in {shown(pictures)}", soft_wrap=True)
 
 

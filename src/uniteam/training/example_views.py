@@ -44,11 +44,11 @@ class Look:
 
 @dataclass(frozen=True)
 class _Example:
-    """A picture, the share of the things there that were told rightly, and how many there were."""
+    """A picture, the share of the things there that were told rightly, and its rank; the lowest comes first."""
 
     picture: NDArray[np.uint8]
     share: float
-    count: int
+    rank: tuple[float, int]
 
 
 class ExampleViews:
@@ -67,10 +67,11 @@ class ExampleViews:
         pairs = zip(look.glimpses, look.matched, strict=True)
         told = {index for glimpse, index in pairs if self._is_right(glimpse, look, index)}
         share = len(told.intersection(look.there)) / len(look.there)
-        for kept, order in ((self.best, _best_first), (self.worst, _worst_first)):
-            if len(kept) < self._keep or order(_Example(look.rgb, share, len(look.there))) < order(kept[-1]):
-                kept.append(_Example(self._picture(look), share, len(look.there)))
-                kept.sort(key=order)
+        for kept, sign in ((self.best, -1), (self.worst, 1)):
+            rank = sign * share, -len(look.there)
+            if len(kept) < self._keep or rank < kept[-1].rank:
+                kept.append(_Example(self._picture(look), share, rank))
+                kept.sort(key=lambda example: example.rank)
                 del kept[self._keep :]
 
     def write(self, folder: Path) -> list[Path]:
@@ -112,11 +113,3 @@ NoteLook = Callable[[Look], None]
 
 def ignore_look(look: Look) -> None:
     """Keep no view."""
-
-
-def _best_first(example: _Example) -> tuple[float, int]:
-    return -example.share, -example.count
-
-
-def _worst_first(example: _Example) -> tuple[float, int]:
-    return example.share, -example.count

@@ -12,7 +12,7 @@ from uniteam.mind.perception.learned.eyes import Eyes
 from uniteam.mind.perception.learned.networks import read_card
 from uniteam.mind.perception.words.meaning import load_words
 from uniteam.training.calibration import FIRST_HOME
-from uniteam.training.example_views import ExampleViews
+from uniteam.training.example_views import NoteLook, ignore_look
 from uniteam.training.figures import (
     BINS,
     asked_figures,
@@ -33,22 +33,24 @@ Rows = list[tuple[str, ...]]
 
 @dataclass(frozen=True)
 class Watched:
-    """What was seen in some homes, with the names that true regions got, and the best and the worst views."""
+    """What was seen in some homes, with the names that true regions got."""
 
     sightings: Sightings
     names: list[Named]
     unseen: frozenset[str]
-    examples: ExampleViews
 
 
 def watch(
-    homes: Sequence[Home], weights: Path, camera: PinholeCamera, views: int, on_home: Callable[[], None]
+    homes: Sequence[Home],
+    weights: Path,
+    camera: PinholeCamera,
+    views: int,
+    on_home: Callable[[], None],
+    on_look: NoteLook = ignore_look,
 ) -> Watched:
-    """Look at views of homes with the networks of a folder."""
+    """Look at views of homes with the networks of a folder; `on_look` is told of each view."""
     eyes, card = Eyes(weights), read_card(weights)
-    asking = Asking(card, load_words())
-    examples = ExampleViews(asking)
-    watcher, names = Watcher(eyes, asking, camera, examples), list[Named]()
+    watcher, names = Watcher(eyes, Asking(card, load_words()), camera, on_look), list[Named]()
     unseen = homes[0].library.unseen_categories
     groups: list[Collection[str]] = [card.names["object"], sorted(unseen), RECEPTACLE_CATEGORIES]
     for number, home in enumerate(homes):
@@ -56,7 +58,7 @@ def watch(
         watcher.watch(seen, things_of(home))
         names += named(eyes, seen, things_of(home), groups, camera)
         on_home()
-    return Watched(watcher.sightings, names, unseen, examples)
+    return Watched(watcher.sightings, names, unseen)
 
 
 def homes_with_seen_instances(count: int) -> list[Home]:

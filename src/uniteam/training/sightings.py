@@ -106,7 +106,7 @@ class Watcher:
             glimpses = self._eyes.look(observation_of(view, self._camera))
             self.sightings.seconds.append(perf_counter() - began)
             overlaps = _overlaps(glimpses, view.half.instances, len(things))
-            self._note_present(view, things, overlaps, glimpses)
+            there = self._note_present(view, things, overlaps, glimpses)
             matched = [int(o.argmax()) if o.size and o.max() >= MATCH else -1 for o in overlaps]
             for glimpse, index in zip(glimpses, matched, strict=True):
                 pixels = int(np.count_nonzero(glimpse.region.mask))
@@ -121,24 +121,23 @@ class Watcher:
                             )
                             self.sightings.answers.append(answer)
             self._note_receptacles(view, things, glimpses)
-            there = [present.index for present in self.sightings.present if present.frame == self.sightings.frames]
             self._on_look(Look(view.half.rgb, view.half.instances, things, glimpses, matched, there))
             self.sightings.frames += 1
 
     def _note_present(
         self, view: View, things: Sequence[Thing], overlaps: list[NDArray[np.float64]], glimpses: Sequence[Glimpse]
-    ) -> None:
-        instances, depth = view.half.instances, view.half.depth
+    ) -> list[int]:
+        """Note the objects and receptacles that are there to be seen; return their indices."""
+        instances, depth, there = view.half.instances, view.half.depth, list[Present]()
         pixels = np.bincount(instances.ravel() + 1, minlength=len(things) + 1)[1:]
         for index in map(int, np.flatnonzero(pixels >= FEWEST_PIXELS)):
             thing = things[index]
             if thing.role not in ("object", "receptacle") or np.median(depth[instances == index]) > FARTHEST:
                 continue
             own = [o[index] for o, g in zip(overlaps, glimpses, strict=True) if ROLES[g.region.kind] == thing.role]
-            present = Present(
-                self.sightings.frames, int(index), thing, int(pixels[index]), float(max(own, default=0.0))
-            )
-            self.sightings.present.append(present)
+            there.append(Present(self.sightings.frames, index, thing, int(pixels[index]), float(max(own, default=0.0))))
+        self.sightings.present += there
+        return [present.index for present in there]
 
     def _note_receptacles(self, view: View, things: Sequence[Thing], glimpses: Sequence[Glimpse]) -> None:
         """Count the pixels of each receptacle's name that were given each name."""
