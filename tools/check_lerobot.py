@@ -11,10 +11,10 @@ import os
 import shutil
 import subprocess
 import sys
-import venv
 from pathlib import Path
 
-ROOT = Path(__file__).parents[1]
+from own_environment import ROOT, commands_with, folder_asked_for
+
 PLUGINS = ("lerobot_env_uniteam", "lerobot_robot_uniteam_stretch")
 LEROBOT = "lerobot[dataset,training]>=0.6,<0.7"
 DEVICE = "--policy.device=cpu"
@@ -28,19 +28,14 @@ SMALL_ACT = (
 
 def main() -> int:
     """Return the exit status of what failed first, or 0."""
-    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
-        print((__doc__ or "").strip())
+    folder = folder_asked_for(sys.argv[1:], __doc__)
+    if folder is None:
         return 2
     if sys.version_info < (3, 12):
         print("LeRobot needs Python 3.12 or newer: give this to python3.12")
         return 2
-    folder = Path(sys.argv[1]).resolve()
-    work, commands = folder / "check", folder / ("Scripts" if os.name == "nt" else "bin")
-    if not (commands / "python").exists():
-        venv.create(folder, with_pip=True)
-    packages = [f"{ROOT}[gym,robot,lerobot]", *(str(ROOT / "packages" / name) for name in PLUGINS)]
-    tools = [LEROBOT, "pytest>=8", "pytest-xdist>=3.5"]
-    subprocess.run([commands / "python", "-m", "pip", "install", "--quiet", *packages, *tools], check=True)
+    plugins = (str(ROOT / "packages" / name) for name in PLUGINS)
+    work, commands = folder / "check", commands_with(folder, f"{ROOT}[gym,robot,lerobot]", *plugins, LEROBOT)
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir()
     for command, where in _steps(work):
