@@ -2,7 +2,7 @@
 
 import random
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,6 +12,7 @@ from worlds import judged_scene
 
 from uniteam.errors import UnavailableError
 from uniteam.geometry import BasePose, PinholeCamera
+from uniteam.interface import Action, Observation
 from uniteam.world.fake.bridge import FakeBridge
 from uniteam.world.fake.bridge_messages import TruthOf, no_truth
 from uniteam.world.fake.dials import Dials
@@ -101,3 +102,20 @@ def free_ports() -> int:
 def with_fence(radius: float) -> SafetyLimits:
     """Return the limits with another fence (m)."""
     return replace(LIMITS, fence=radius)
+
+
+class Rewound:
+    """A body whose robot is put back to where it began; nobody does that to a real one."""
+
+    def __init__(self, fresh: Callable[[], StretchRobot]) -> None:
+        """Take what returns the body of a robot that has not moved yet."""
+        self._fresh = fresh
+
+    def reset(self) -> Observation:
+        """Begin again."""
+        self._body = self._fresh()
+        return self._body.reset()
+
+    def step(self, action: Action) -> Observation:
+        """Do an action."""
+        return self._body.step(action)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from worlds.fake_robot import QUICK, bridge, served, simulator
+from worlds.fake_robot import QUICK, bridge, served
 from worlds.plain_client import PITCH, ROLL, YAW, PlainClient
 
 from uniteam.errors import UniteamError
@@ -19,16 +19,6 @@ from uniteam.world.fake.zmq_server import ZmqServer
 from uniteam.world.simulation.simulator import Simulator
 
 pytest.importorskip("zmq", reason="the extra 'robot' is not installed")
-
-
-@pytest.fixture(scope="module")
-def world(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
-    return simulator(tmp_path_factory.mktemp("models"))
-
-
-@pytest.fixture
-def side(world: Simulator) -> FakeBridge:
-    return bridge(world)
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from worlds.fake_robot import bridge, lockstep_body, simulator
+from worlds.fake_robot import bridge, lockstep_body
 
 from uniteam.errors import InvalidInputError
 from uniteam.geometry import BasePose
@@ -16,11 +16,6 @@ from uniteam.world.fake.odometry import Odometry
 from uniteam.world.simulation.simulator import Simulator
 
 FAR = np.repeat(np.linspace(0.0, 4.0, 81, dtype=np.float32)[:, None], 4000, axis=1)
-
-
-@pytest.fixture(scope="module")
-def world(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
-    return simulator(tmp_path_factory.mktemp("models"))
 
 
 def drifted(drift: float, seed: int) -> BasePose:

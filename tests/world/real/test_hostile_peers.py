@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from worlds.fake_robot import LIMITS, body, bridge, served, simulator
+from worlds.fake_robot import LIMITS, body, served
 from worlds.go_between import GoBetween, Spoil, between
 
 from uniteam.interface import DiscreteAction
@@ -21,23 +21,12 @@ from uniteam.world.real.robot_errors import RobotError, RunStopError, SilentRobo
 from uniteam.world.real.stretch_robot import StretchRobot
 from uniteam.world.real.system_clock import SystemClock
 from uniteam.world.real.zmq_wire import ZmqWire
-from uniteam.world.simulation.simulator import Simulator
 
 pytest.importorskip("zmq", reason="the extra 'robot' is not installed")
 
 
 PATIENT = replace(LIMITS, stale=1.5)
 """These tests are about what happens, also where the machine is busy; `test_watchdog` is about when."""
-
-
-@pytest.fixture(scope="module")
-def world(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
-    return simulator(tmp_path_factory.mktemp("models"))
-
-
-@pytest.fixture
-def side(world: Simulator) -> FakeBridge:
-    return bridge(world)
 
 
 @pytest.fixture

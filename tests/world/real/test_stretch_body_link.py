@@ -3,15 +3,16 @@
 import math
 import sys
 from collections.abc import Iterator
+from functools import partial
 from types import ModuleType
 
 import numpy as np
 import pytest
-from worlds.fake_robot import EPISODE, HASTY, PACE, QUICK, simulator
+from worlds.fake_robot import EPISODE, HASTY, PACE, QUICK, Rewound, simulator
 
 from uniteam.errors import UnavailableError
 from uniteam.geometry import PinholeCamera
-from uniteam.interface import Action, BaseDisplacement, DiscreteAction, JointDisplacement, Joints, Observation
+from uniteam.interface import Action, BaseDisplacement, DiscreteAction, JointDisplacement, Joints
 from uniteam.testing import check_body
 from uniteam.world.fake.fake_stretch import FakeStretch
 from uniteam.world.fake.stretch_body_stand_in import FakeHead, Robot, RobotClock
@@ -24,11 +25,6 @@ from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.environment import Environment
 
 LIMITS = SafetyLimits()
-
-
-@pytest.fixture(scope="module")
-def world(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
-    return simulator(tmp_path_factory.mktemp("models"))
 
 
 @pytest.fixture
@@ -46,24 +42,14 @@ def robot(fake: FakeStretch) -> Iterator[StretchRobot]:
     yield body_of(fake)
 
 
-class Rewound:
-    """A body whose robot is put back to where it began."""
-
-    def __init__(self, world: Simulator) -> None:
-        self._world = world
-
-    def reset(self) -> Observation:
-        self._body = body_of(FakeStretch(self._world, EPISODE, QUICK))
-        return self._body.reset()
-
-    def step(self, action: Action) -> Observation:
-        return self._body.step(action)
+def fresh(world: Simulator) -> StretchRobot:
+    return body_of(FakeStretch(world, EPISODE, QUICK))
 
 
 @pytest.mark.slow
 def test_it_keeps_what_a_body_promises(world: Simulator, tmp_path_factory: pytest.TempPathFactory) -> None:
     worlds = iter((world, simulator(tmp_path_factory.mktemp("others"))))
-    check_body(lambda: Rewound(next(worlds)))
+    check_body(lambda: Rewound(partial(fresh, next(worlds))))
 
 
 SCRIPT: tuple[Action, ...] = (

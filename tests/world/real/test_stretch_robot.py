@@ -4,14 +4,15 @@ import logging
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
-from worlds.fake_robot import EPISODE, LIMITS, QUICK, body, bridge, lockstep_body, simulator, with_fence
+from worlds.fake_robot import EPISODE, LIMITS, QUICK, Rewound, body, bridge, lockstep_body, simulator, with_fence
 
 from uniteam.errors import InvalidActionError, InvalidInputError
 from uniteam.geometry import BasePose
-from uniteam.interface import Action, BaseDisplacement, DiscreteAction, JointDisplacement, Joints, Observation
+from uniteam.interface import Action, BaseDisplacement, DiscreteAction, JointDisplacement, Joints
 from uniteam.stretch import JOINT_LIMITS, MANIPULATION_POSTURE, NAVIGATION_POSTURE
 from uniteam.testing import check_body
 from uniteam.world.fake.bridge import FakeBridge
@@ -27,40 +28,20 @@ from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.environment import Environment
 
 
-@pytest.fixture(scope="module")
-def world(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
-    return simulator(tmp_path_factory.mktemp("models"))
-
-
-@pytest.fixture
-def side(world: Simulator) -> FakeBridge:
-    return bridge(world)
-
-
 @pytest.fixture
 def robot(side: FakeBridge) -> Iterator[StretchRobot]:
     yield lockstep_body(side)
     assert side.refusals == []
 
 
-class Rewound:
-    """A body whose robot is put back to where it began; nobody does that to a real one."""
-
-    def __init__(self, world: Simulator) -> None:
-        self._world = world
-
-    def reset(self) -> Observation:
-        self._body = lockstep_body(bridge(self._world))
-        return self._body.reset()
-
-    def step(self, action: Action) -> Observation:
-        return self._body.step(action)
+def fresh(world: Simulator) -> StretchRobot:
+    return lockstep_body(bridge(world))
 
 
 @pytest.mark.slow
 def test_it_keeps_what_a_body_promises(world: Simulator, tmp_path_factory: pytest.TempPathFactory) -> None:
     worlds = iter((world, simulator(tmp_path_factory.mktemp("others"))))
-    check_body(lambda: Rewound(next(worlds)))
+    check_body(lambda: Rewound(partial(fresh, next(worlds))))
 
 
 SCRIPT: tuple[Action, ...] = (

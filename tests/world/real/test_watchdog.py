@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from worlds.fake_robot import LIMITS, body, bridge, simulator
+from worlds.fake_robot import LIMITS, body
 
 from uniteam.interface import BaseDisplacement, Joints
 from uniteam.stretch import NAVIGATION_POSTURE
@@ -16,19 +16,8 @@ from uniteam.world.fake.bridge import FakeBridge
 from uniteam.world.fake.bridge_messages import no_truth
 from uniteam.world.fake.lockstep import Lockstep
 from uniteam.world.real.robot_errors import RobotError, SilentRobotError, StrangeMessageError
-from uniteam.world.simulation.simulator import Simulator
 
 Spoil = Callable[[bytes], bytes | None]
-
-
-@pytest.fixture(scope="module")
-def world(tmp_path_factory: pytest.TempPathFactory) -> Simulator:
-    return simulator(tmp_path_factory.mktemp("models"))
-
-
-@pytest.fixture
-def side(world: Simulator) -> FakeBridge:
-    return bridge(world)
 
 
 class Spoiled(Lockstep):
