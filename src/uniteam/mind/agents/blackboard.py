@@ -16,7 +16,7 @@ from uniteam.mind.navigation.goals.failed_goals import FailedGoals
 from uniteam.mind.navigation.goals.goal_or_frontier import Commitment
 from uniteam.mind.navigation.planning.plan import Plan
 from uniteam.mind.navigation.planning.planner import Planner
-from uniteam.mind.perception.vocabulary import ClassRole, RoleScores, class_names, role_scores
+from uniteam.mind.perception.vocabulary import RoleScores, role_scores
 
 
 @dataclass
@@ -64,10 +64,6 @@ class Blackboard:
     looked_again: list[Point2] = field(default_factory=list)
     goal: Goal | None = None
     plan: Plan | None = None
-
-    def class_name(self, role: ClassRole) -> str:
-        """Return what plays a role, in plain words."""
-        return class_names(self.instruction)[role].replace("_", " ")
 
     @staticmethod
     def fresh(instruction: Instruction, config: AgentConfig, seed: int) -> "Blackboard":

@@ -208,7 +208,7 @@ def _carry_out(board: Blackboard, view: View, goal: Goal, plan: Plan) -> Move:
         board.failed_goals.add(board.heading_for, board.bird_map.update_count)
     if plan.action is None:
         board.bird_map.mark_faced(base)
-        return Move(DiscreteAction.TURN_LEFT, f"I have come to the {_words(board, goal)} and look around.")
+        return Move(DiscreteAction.TURN_LEFT, f"I have come to the {words_of(board, goal.kind)} and look around.")
     return Move(plan.action, _reason(board, goal, plan))
 
 
@@ -221,7 +221,7 @@ def _remember_failure(board: Blackboard) -> None:
 
 
 def _reason(board: Blackboard, goal: Goal, plan: Plan) -> str:
-    what = _words(board, goal)
+    what = words_of(board, goal.kind)
     if plan.short_term_goal is None:
         return f"I am at the {what} and turn to face it."
     if goal.kind is GoalKind.FRONTIER:
@@ -230,7 +230,8 @@ def _reason(board: Blackboard, goal: Goal, plan: Plan) -> str:
     return f"I know of the {what} and drive there{nearly} ({plan.distance:.1f} m to go)."
 
 
-def _words(board: Blackboard, goal: Goal) -> str:
+def words_of(board: Blackboard, kind: GoalKind) -> str:
+    """Return what a kind of goal is called in this episode."""
     instruction = board.instruction
     names = {
         GoalKind.OBJECT: instruction.object_category,
@@ -238,7 +239,7 @@ def _words(board: Blackboard, goal: Goal) -> str:
         GoalKind.GOAL_RECEPTACLE: instruction.goal_receptacle,
         GoalKind.FRONTIER: "frontier",
     }
-    return names[goal.kind].replace("_", " ")
+    return names[kind].replace("_", " ")
 
 
 def faced_point(view: View, role: ClassRole) -> tuple[float, float]:

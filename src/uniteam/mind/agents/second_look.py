@@ -7,7 +7,7 @@ import numpy as np
 
 from uniteam.geometry import Point2
 from uniteam.mind.agents.blackboard import Blackboard
-from uniteam.mind.agents.search import Approach, Search, approach, faced_point
+from uniteam.mind.agents.search import Approach, Search, approach, faced_point, words_of
 from uniteam.mind.navigation.goals.failed_attempts import Misses
 from uniteam.mind.navigation.goals.other_side import OtherSide
 from uniteam.mind.perception.vocabulary import ClassRole
@@ -35,7 +35,7 @@ def go_aside(board: Blackboard, view: View, search: Search, role: ClassRole, tar
     board.looked_again.append(target)
     side = OtherSide(search.target, role, target, (base.x, base.y))
     aside = Search(search.target, lambda config: (side,), lambda board: Misses())
-    reason = f"I am not sure of the {board.class_name(role)} and look from another side."
+    reason = f"I am not sure of the {words_of(board, search.target)} and look from another side."
     return (yield from _saying(approach(board, view, aside), reason))
 
 
