@@ -51,8 +51,6 @@ RECEPTACLE_SEARCH = Search(GoalKind.GOAL_RECEPTACLE, SearchConfig.for_receptacle
 
 FALLEN_WITHIN = 0.3
 """m; an object so near to where one was seen to fall is that one."""
-
-
 SAME_PLACE = 0.3
 """m; from a place so near nothing else is seen."""
 
