@@ -1,9 +1,10 @@
 """Cells and points of a grid on the floor."""
 
+import cv2
 import numpy as np
 import pytest
 
-from uniteam.grid import Grid, disc, disc_mask, draw_disc, grown
+from uniteam.grid import Grid, disc, disc_mask, draw_disc, grown, grown_by_rows
 
 GRID = Grid(origin=(-1.0, 2.0), cell_size=0.05)
 
@@ -35,6 +36,19 @@ def test_what_is_grown_lies_in_a_disc_around_some_cell() -> None:
     assert cells.any()
     assert np.array_equal(grown(cells, 3), expected)
     assert not grown(cells & False, 3).any()
+
+
+@pytest.mark.parametrize("half_widths", [(0,), (3,), (1, 1, 1, 0), (5, 4, 2), (10, 9, 9, 9, 9, 8, 8, 7, 6, 4, 0)])
+@pytest.mark.parametrize("shape", [(1, 1), (5, 70), (40, 31)])
+def test_growing_by_rows_is_a_dilation_by_the_shape(shape: tuple[int, int], half_widths: tuple[int, ...]) -> None:
+    reach, widest = len(half_widths) - 1, max(half_widths)
+    kernel = np.zeros((2 * reach + 1, 2 * widest + 1), dtype=np.uint8)
+    for away, half in enumerate(half_widths):
+        kernel[[reach - away, reach + away], widest - half : widest + half + 1] = 1
+    for share in (0.0, 0.02, 0.3):
+        cells = np.random.default_rng(3).random(shape) < share
+        expected = cv2.dilate(cells.view(np.uint8), kernel).view(np.bool_)
+        assert np.array_equal(grown_by_rows(cells, half_widths), expected)
 
 
 def test_a_disc_is_drawn_and_taken_away_again_where_it_lies_on_the_mask() -> None:

@@ -4,6 +4,7 @@ Row is y and column is x; cell [0, 0] has the least of both.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypeVar
@@ -67,6 +68,28 @@ def draw_disc(mask: Mask, centre: Cell, radius: int, value: bool = True) -> None
 def grown(cells: Mask, radius: int) -> Mask:
     """Return the cells within `radius` cells of some of an (H, W) mask; where there are none, it is returned itself."""
     return cv2.dilate(cells.view(np.uint8), disc(radius)).view(np.bool_) if cells.any() else cells
+
+
+def grown_by_rows(cells: Mask, half_widths: Sequence[int]) -> Mask:
+    """Return the cells of which some of an (H, W) mask lie in a symmetric shape around them.
+
+    The shape reaches `half_widths[k]` cells to either side in the rows k above and below its middle; the farther away
+    a row, the shorter it is. A large shape takes a dilation a step for each of its cells, and this one for each row.
+    """
+    reach, widest = len(half_widths) - 1, max(half_widths)
+    rows, columns = cells.shape
+    width = columns + widest  # what grows beyond a row's end does not come into the next one
+    around = np.zeros((rows + 2 * reach) * width + 2 * widest, dtype=np.bool_)
+    around[widest : around.size - widest].reshape(-1, width)[reach : reach + rows, :columns] = cells
+    grown_cells, size, half = np.zeros((rows, width), dtype=np.bool_), rows * width, 0
+    for away in range(reach, -1, -1):
+        while half < half_widths[away]:
+            around = around[:-2] | around[1:-1] | around[2:]
+            half += 1
+        for first_row in {reach - away, reach + away}:
+            first = first_row * width + widest - half
+            grown_cells.reshape(-1)[:] |= around[first : first + size]
+    return grown_cells[:, :columns]
 
 
 def enlarged(channel: NDArray[_Scalar], corner: Cell, shape: Cell) -> NDArray[_Scalar]:

@@ -24,20 +24,26 @@ from uniteam.world.task.splits import load_split
 if TYPE_CHECKING:
     from uniteam.adapters.gymnasium.throughput import Throughput
 
-SPLIT, AGENT, PERCEPTION = "minival", "uniteam-plus", "truth"
+SPLIT = "minival"
 ENVIRONMENT_STEPS = 1000
 """With each environment: some seconds."""
 
 
 def bench(
-    out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None, episodes: int = 10, env: bool = False
+    agent: str = "uniteam",
+    perception: str = "truth",
+    out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None,
+    episodes: int = 10,
+    env: bool = False,
 ) -> None:
     """Measure the steps a second of one process, and the milliseconds a step spends where.
 
-    Plays episodes of minival with the agent uniteam, perception truth and the half-size camera, after everything is
-    compiled. Close other programs first: the figures are of this machine as it is.
+    Plays episodes of minival with the half-size camera, after everything is compiled. Close other programs first: the
+    figures are of this machine as it is.
 
     Args:
+        agent: Which agent: a name, or your own as MODULE:ATTRIBUTE.
+        perception: What the agent sees with, as `uniteam run` takes it.
         out: A JSON file to write the figures to.
         episodes: How many episodes to play.
         env: Measure the Gymnasium environments instead, with random actions and the small camera.
@@ -45,23 +51,23 @@ def bench(
     console = make_console()
     if out is not None:
         try_output(out)
-    report = _bench_environments(console) if env else _bench_agent(console, episodes)
+    report = _bench_environments(console) if env else _bench_agent(console, AgentSpec(agent, perception), episodes)
     if out is not None:
         figures = {**report, "version": uniteam.__version__}
         write_whole(out, (json.dumps(figures, indent=2) + "\n").encode())
         console.print(f"Written to {shown(out)}.", soft_wrap=True)
 
 
-def _bench_agent(console: Console, episodes: int) -> dict[str, Any]:
+def _bench_agent(console: Console, spec: AgentSpec, episodes: int) -> dict[str, Any]:
     """Play the episodes, print where the time goes, and return it as JSON data."""
     split = load_split(SPLIT)
     if not 1 <= episodes <= len(split.episodes):
         raise InvalidInputError(f"{SPLIT} has {len(split.episodes)} episodes; --episodes {episodes} is out of range")
     with Progress(console=console, transient=True) as progress:
         bar = progress.add_task("playing", total=episodes)
-        report = measure(split, AgentSpec(AGENT, PERCEPTION), episodes, lambda: progress.advance(bar))
-    console.print(_table(report))
-    return {**asdict(report), **_compare(split, console)}
+        report = measure(split, spec, episodes, lambda: progress.advance(bar))
+    console.print(_table(report, spec))
+    return {"agent": spec.name, "perception": spec.perception, **asdict(report), **_compare(split, console)}
 
 
 def _bench_environments(console: Console) -> dict[str, Any]:
@@ -112,8 +118,11 @@ def _compare(split: Split, console: Console) -> dict[str, Any]:
     return {"camera_speedup": comparison.camera_speedup, "camera_comparison": asdict(comparison)}
 
 
-def _table(report: BenchReport) -> Table:
-    caption = f"{report.episode_count} episodes of {SPLIT}, {report.step_count} steps, uniteam {uniteam.__version__}"
+def _table(report: BenchReport, spec: AgentSpec) -> Table:
+    caption = (
+        f"{report.episode_count} episodes of {SPLIT}, {report.step_count} steps of {spec.name}, perception "
+        f"{spec.perception}, uniteam {uniteam.__version__}"
+    )
     table = Table(caption=caption, caption_justify="left", show_header=False)
     table.add_column(justify="left")
     table.add_column(justify="right")

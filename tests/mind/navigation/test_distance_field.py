@@ -13,6 +13,7 @@ from uniteam.mind.navigation.planning.bucket_queue import FAR, spread
 from uniteam.mind.navigation.planning.distance_field import (
     COST_PER_CELL,
     distance_field,
+    nearer_than,
     nearest_target,
     straight_distance,
     trace_path,
@@ -171,6 +172,14 @@ def test_the_search_reaches_just_what_the_sides_of_cells_connect() -> None:
     source = np.zeros_like(free)
     source[60, 60] = True
     assert (np.isfinite(distance_field(free, source, CELL)) == connected_to((60, 60), free)).all()
+
+
+@pytest.mark.parametrize("distance", [0.5, 0.72, 1.0])
+def test_what_is_nearer_than_a_distance_is_what_the_distances_say(distance: float) -> None:
+    cells = np.random.default_rng(1).random((90, 70)) < 0.002
+    near = straight_distance(cells, CELL) < distance
+    assert 0.1 < near.mean() < 0.9
+    assert np.array_equal(nearer_than(distance, cells, CELL), near)
 
 
 def test_the_short_term_goal_looks_ahead_and_not_through_walls() -> None:

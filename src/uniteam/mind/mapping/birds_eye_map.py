@@ -130,8 +130,7 @@ class BirdsEyeMap:
 
     def points_of(self, mask: Mask) -> NDArray[np.float64]:
         """Return the (K, 2) centres (x, y) in the start frame (m) of a mask's cells, row by row."""
-        x, y, width, height = cv2.boundingRect(np.ascontiguousarray(mask).view(np.uint8))
-        return self.to_points(np.array([y, x]) + np.argwhere(mask[y : y + height, x : x + width]))
+        return self.to_points(np.column_stack(np.divmod(np.flatnonzero(mask), mask.shape[1])))
 
     def update(self, observation: Observation, segmentation: Segmentation, roles: RoleScores) -> None:
         """Bring a frame into the map, and the robot's own place."""

@@ -98,13 +98,15 @@ def _splat(frame: MappedFrame, limits: Limits, block: int, voxels: _Voxels) -> N
     c, s = ahead(m)
     features = np.zeros(1 + ROLE_COUNT, dtype=np.float32)
     is_wanted = _wanted(frame.scores)
+    any_wanted = bool(is_wanted.any())
     farthest = max(limits.max_depth, limits.class_depths.max())
     for v in range(0, frame.depth.shape[0] - block + 1, block):
         for u in range(0, frame.depth.shape[1] - block + 1, block):
             z = frame.depth[np.uint64(v), np.uint64(u)]
             if z < limits.min_depth or z > farthest:
                 continue
-            has_class = _average(frame, limits, u, v, block, is_wanted, features, scores)
+            features[0] = 1.0 if z <= limits.max_depth else 0.0
+            has_class = any_wanted and _average(frame, limits, u, v, block, is_wanted, features, scores)
             a, b = (np.float32(u) - cx) / fx, (np.float32(v) - cy) / fy
             x = (m[0, 0] * a + m[0, 1] * b + m[0, 2]) * z
             y = (m[1, 0] * a + m[1, 1] * b + m[1, 2]) * z
@@ -112,7 +114,7 @@ def _splat(frame: MappedFrame, limits: Limits, block: int, voxels: _Voxels) -> N
             row = (c * x + s * y) * limits.cells_per_metre
             column = (c * y - s * x) * limits.cells_per_metre + size // 2
             level = height * limits.cells_per_metre - LOWEST
-            _spread_point(voxels, features, row, column, level)
+            _spread_point(voxels, features, has_class, row, column, level)
             if has_class and 0 <= row < size - 1 and 0 <= column < size - 1:
                 r, k = round(row), round(column)
                 for role in range(ROLE_COUNT):
@@ -141,13 +143,9 @@ def _average(
     features: NDArray[np.float32],
     scores: NDArray[np.float32],
 ) -> bool:  # pragma: no cover
-    """Fill in a block's features and its best scores, each by role; return whether it has anything of a role.
-
-    The first feature is 1 where the block is near enough for the map, the others the share of its pixels.
-    """
+    """Fill in the share of a block's pixels and their best scores, by role; return whether it has anything of one."""
     z = frame.depth[np.uint64(v), np.uint64(u)]
     share = np.float32(1.0) / np.float32(block * block)
-    features[0] = 1.0 if z <= limits.max_depth else 0.0
     for role in range(ROLE_COUNT):
         features[1 + role], scores[role] = 0, 0
     has_class = False
@@ -167,9 +165,12 @@ def _average(
 
 @njit(cache=True, nogil=True, inline="always")
 def _spread_point(
-    voxels: _Voxels, features: NDArray[np.float32], row: float, column: float, level: float
+    voxels: _Voxels, features: NDArray[np.float32], has_class: bool, row: float, column: float, level: float
 ) -> None:  # pragma: no cover
-    """Add a point's features to the eight voxels around it, and note between which levels their columns are filled."""
+    """Add a point's features to the eight voxels around it, and note between which levels their columns are filled.
+
+    The first feature is 1 where the point counts for the map, and the others, by role, are all 0 unless it has a class.
+    """
     top, left, base = math.floor(row), math.floor(column), math.floor(level)
     size, levels = voxels.lowest.shape[0], voxels.points.shape[2]
     is_near = -1 <= top < size - 2 and -1 <= left < size - 2 and -1 <= base < levels - 2
@@ -186,9 +187,10 @@ def _spread_point(
                 weight = np.float32(flat * (1 - abs(level - (base + dl))))
                 n = below + np.uint64(dl)
                 points[r, k, n, 0] += weight * solid
-                points[r, k, n, 1] += weight * first
-                points[r, k, n, 2] += weight * second
-                points[r, k, n, 3] += weight * third
+                if has_class:
+                    points[r, k, n, 1] += weight * first
+                    points[r, k, n, 2] += weight * second
+                    points[r, k, n, 3] += weight * third
 
 
 @njit(cache=True, nogil=True)

@@ -1,6 +1,8 @@
 """Perception by the simulator's own segmentation: what a perfect detector would see."""
 
 import numpy as np
+from numba import njit
+from numpy.typing import NDArray
 
 from uniteam.errors import InvalidInputError
 from uniteam.interface import Detection, Instruction, Observation, Segmentation
@@ -36,8 +38,22 @@ def visible_truth(observation: Observation) -> Segmentation:
             "perception 'truth' needs observations with their true segmentation, and this one has none; "
             "make the environment with give_truth=True"
         )
-    near = (observation.depth > 0) & (observation.depth <= DEPTH_RANGE)
-    seen = truth.instances | (near.view(np.int8) - np.int8(1))
-    pixels = np.bincount(seen.ravel() + 1, minlength=len(truth.detections) + 1)[1:]
+    seen, pixels = _in_range(truth.instances, observation.depth, len(truth.detections))
     certain = tuple(Detection(((detection.name, 1.0),)) for detection in truth.detections)
     return keep_detections(Segmentation(seen, certain), pixels >= SMALLEST_INSTANCE)
+
+
+@njit(cache=True, nogil=True)
+def _in_range(
+    instances: NDArray[np.int16], depth: NDArray[np.float32], count: int
+) -> tuple[NDArray[np.int16], NDArray[np.int64]]:  # pragma: no cover
+    """Return the (H, W) instances where depth can be measured, -1 elsewhere, and how many pixels each has (count,)."""
+    seen = np.full(instances.shape, -1, dtype=np.int16)
+    pixels = np.zeros(count, dtype=np.int64)
+    for row in range(instances.shape[0]):
+        for column in range(instances.shape[1]):
+            instance = instances[row, column]
+            if instance >= 0 and 0 < depth[row, column] <= DEPTH_RANGE:
+                seen[row, column] = instance
+                pixels[instance] += 1
+    return seen, pixels

@@ -1,17 +1,21 @@
 """Frontiers: where the explored floor ends and nothing seen stands in the way."""
 
+import math
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
 
 from uniteam.geometry import BasePose
-from uniteam.grid import Mask, disc
+from uniteam.grid import Mask, disc, grown_by_rows
 from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.window import window_around
 
 HOMEROBOT_DILATION = 10
 """Cells by which HomeRobot grows the explored area before it takes its border."""
+
+_HALF_WIDTHS = tuple(math.isqrt(HOMEROBOT_DILATION**2 - row * row) for row in range(HOMEROBOT_DILATION + 1))
+"""Of the disc's rows, from its middle one on."""
 
 
 @dataclass(frozen=True)
@@ -47,14 +51,16 @@ def find_frontiers(bird_map: BirdsEyeMap, base: BasePose, config: FrontierConfig
 def border_of_explored(bird_map: BirdsEyeMap, base: BasePose) -> Mask:
     """Return the (H, W) cells half a metre beyond what is explored, whatever stands there: HomeRobot's frontier."""
     window = window_around(bird_map, base)
-    explored = cv2.dilate(window.cut(bird_map.explored).view(np.uint8), disc(HOMEROBOT_DILATION))
-    beyond = 1 - explored
+    explored = grown_by_rows(window.cut(bird_map.explored), _HALF_WIDTHS)
+    beyond = (~explored).view(np.uint8)
     return window.paste((cv2.dilate(beyond, disc(1)) > beyond), bird_map.shape)
 
 
 def large_groups(cells: Mask, min_cells: int) -> Mask:
     """Return the cells whose 8-connected group has at least `min_cells`."""
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(cells.view(np.uint8), connectivity=8)
-    large = stats[:, cv2.CC_STAT_AREA] >= min_cells
-    large[0] = False
-    return large[labels]
+    _, labels = cv2.connectedComponents(cells.view(np.uint8), connectivity=8)
+    where = np.flatnonzero(cells)
+    group = labels.reshape(-1)[where]
+    large = np.zeros_like(cells)
+    large.reshape(-1)[where] = np.bincount(group)[group] >= min_cells
+    return large

@@ -13,7 +13,8 @@ from uniteam.mind.mapping.birds_eye_map import BirdsEyeMap
 from uniteam.mind.navigation.planning.distance_field import straight_distance
 from uniteam.mind.navigation.window import Window
 
-_SAMPLES = 9
+_SHARES = tuple(np.linspace(0.0, 1.0, 9).tolist())
+"""Of a way, where it is looked at."""
 
 
 @dataclass(frozen=True)
@@ -44,9 +45,10 @@ class Clearance:
         """Return the least distance (m) to an obstacle on the way straight ahead of a base (start frame)."""
         rows, columns = self.obstacle.shape
         least = math.inf
-        for share in np.linspace(0.0, 1.0, _SAMPLES):
-            x = base.x + share * length * math.cos(base.heading)
-            y = base.y + share * length * math.sin(base.heading)
+        along, across = math.cos(base.heading), math.sin(base.heading)
+        for share in _SHARES:
+            x = base.x + share * length * along
+            y = base.y + share * length * across
             row, column = self.grid.to_cell(x, y)
             if 0 <= row < rows and 0 <= column < columns:
                 least = min(least, float(self.metres[row, column]))

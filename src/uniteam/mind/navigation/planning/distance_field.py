@@ -7,13 +7,14 @@ through a wall that is one cell thick. A cell may have a price, by which the ste
 """
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from uniteam.grid import Cell, Mask
+from uniteam.grid import Cell, Mask, grown_by_rows
 from uniteam.mind.navigation.planning.bucket_queue import FAR, descend, spread
 
 COST_PER_CELL = 5.025
@@ -104,3 +105,18 @@ def straight_distance(cells: Mask, cell_size: float, farthest: float = math.inf)
     in_cells = cv2.distanceTransform((~cells[box]).view(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5)
     np.multiply(in_cells, np.float32(cell_size), out=distances[box])
     return distances
+
+
+def nearer_than(distance: float, cells: Mask, cell_size: float) -> Mask:
+    """Return the (H, W) cells whose `straight_distance` to some cells is less than a distance (m)."""
+    return grown_by_rows(cells, _half_widths(distance, cell_size))
+
+
+@lru_cache(maxsize=16)
+def _half_widths(distance: float, cell_size: float) -> tuple[int, ...]:
+    """Return how far what is nearer than a distance reaches in the rows of one cell, its own row first."""
+    reach = math.ceil(distance / cell_size) + 1
+    one = np.zeros((2 * reach + 1, 2 * reach + 1), dtype=np.bool_)
+    one[reach, reach] = True
+    rows = (straight_distance(one, cell_size) < distance)[reach:].sum(axis=1)
+    return tuple(int(cells) // 2 for cells in rows if cells > 0)

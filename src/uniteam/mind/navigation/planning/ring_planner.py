@@ -22,7 +22,7 @@ from uniteam.mind.navigation.planning.distance_field import (
     alike,
     costs_to,
     costs_to_metres,
-    straight_distance,
+    nearer_than,
     trace_path,
 )
 from uniteam.mind.navigation.planning.plan import Plan
@@ -126,11 +126,11 @@ class RingPlanner(Planner):
         """Return the free cells near to the goal's but not on them; those on it where nothing else is asked for."""
         if goal.distance == 0.0:
             return free & cells
-        farthest = goal.distance + max(self.config.patience, default=0.0)
-        to_goal = straight_distance(cells, cell_size, farthest)
-        places = free & (to_goal < goal.distance) & (to_goal > 0.0)
+        beside = free & ~cells
+        places = beside & nearer_than(goal.distance, cells, cell_size)
         if not places.any():
-            places = free & (to_goal < farthest) & (to_goal > 0.0)
+            farthest = goal.distance + max(self.config.patience, default=0.0)
+            places = beside & nearer_than(farthest, cells, cell_size)
         return places
 
 
