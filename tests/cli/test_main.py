@@ -36,6 +36,11 @@ def test_the_overview_names_every_command_with_an_example(capsys: pytest.Capture
         assert command.example.startswith(f"uniteam {name}")
 
 
+def test_the_package_runs_as_the_command_does() -> None:
+    done = subprocess.run([sys.executable, "-m", "uniteam", "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout == f"uniteam {version('uniteam')}\n"
+
+
 def test_the_overview_imports_nothing_slow() -> None:
     code = (
         "import sys\nfrom uniteam.cli.main import main\n"
