@@ -5,9 +5,9 @@ from pathlib import Path
 
 import cv2
 import pytest
+from worlds.called import call
 from worlds.runs import result, write_run
 
-from uniteam.cli.main import main
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.analysis.ablation_plan import plan_ablation
 from uniteam.evaluation.configuration import Run
@@ -15,12 +15,6 @@ from uniteam.evaluation.evaluation import Evaluation, home_of
 from uniteam.evaluation.results.result import EpisodeResult
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split, write_split
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    return ended.value.code if isinstance(ended.value.code, int) else 1
 
 
 def played(folder: Path, perception: str = "truth") -> Path:

@@ -5,16 +5,7 @@ from pathlib import Path
 
 import cv2
 import pytest
-
-from uniteam.cli.main import main
-
-
-def call(*arguments: str) -> int:
-    """Run `uniteam` in this process and return its exit code."""
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    assert isinstance(ended.value.code, int)
-    return ended.value.code
+from worlds.called import call
 
 
 def test_run_tells_an_episode_and_films_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,17 +3,11 @@
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 from worlds.filled import filled
 from worlds.runs import CONFIGURATION, result, write_run
 
-from uniteam.cli.main import main
 from uniteam.evaluation.analysis.likeness import MUST_AGREE
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    return ended.value.code if isinstance(ended.value.code, int) else 1
 
 
 @pytest.fixture

@@ -7,17 +7,8 @@ import pytest
 
 pytest.importorskip("alktx2", reason="the encoder has wheels for Linux only")
 
+from worlds.called import call
 from worlds.ovmm_miniature.tiny import write_tiny
-
-from uniteam.cli.main import main
-
-
-def call(*arguments: str) -> int:
-    """Run `uniteam` in this process and return its exit code."""
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    assert isinstance(ended.value.code, int)
-    return ended.value.code
 
 
 def test_data_are_reported_and_their_first_fault_ends_the_command(

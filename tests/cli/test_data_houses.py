@@ -5,17 +5,8 @@ import json
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 from worlds.procthor_miniature import first_house, write_miniature
-
-from uniteam.cli.main import main
-
-
-def call(*arguments: str) -> int:
-    """Run `uniteam` in this process and return its exit code."""
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    assert isinstance(ended.value.code, int)
-    return ended.value.code
 
 
 def test_houses_are_counted_and_what_is_left_out_of_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,8 +6,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from worlds.called import call
 
-from uniteam.cli.main import main
 from uniteam.cli.perceptions import as_folder, perception_name
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.episode_choice import choose_episodes
@@ -15,12 +15,6 @@ from uniteam.evaluation.results.intervals import estimate_proportion
 from uniteam.visualization.success_chart import HEIGHT, LINE_COLORS, WIDTH, Curve, draw_success_chart
 from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split, write_split
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    return ended.value.code if isinstance(ended.value.code, int) else 1
 
 
 @pytest.fixture(scope="module")

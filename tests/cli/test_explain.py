@@ -6,20 +6,14 @@ from pathlib import Path
 
 import cv2
 import pytest
+from worlds.called import call
 from worlds.recorded import record_made
 from worlds.runs import result, write_run
 from worlds.saboteur import Saboteur
 
-from uniteam.cli.main import main
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.recording.order import RECORDINGS, recording_path
 from uniteam.interface import DiscreteAction
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    return ended.value.code if isinstance(ended.value.code, int) else 1
 
 
 @pytest.fixture(scope="module")

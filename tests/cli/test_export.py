@@ -5,19 +5,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 from worlds.recorded import Reciter, record
 from worlds.runs import write_run
 
-from uniteam.cli.main import main
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.interface import DiscreteAction
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    assert isinstance(ended.value.code, int)
-    return ended.value.code
 
 
 @pytest.fixture(scope="module")

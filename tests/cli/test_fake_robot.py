@@ -9,10 +9,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 from worlds.fake_robot import free_ports
 from worlds.plain_client import PlainClient
-
-from uniteam.cli.main import main
 
 pytest.importorskip("zmq", reason="the extra 'robot' is not installed")
 
@@ -43,12 +42,6 @@ def test_it_says_where_it_is_is_driven_and_hears_its_run_stop(process: subproces
     assert process.stdout.readline().strip() == "The run-stop is engaged."
     process.send_signal(signal.SIGINT)
     assert process.wait(timeout=30) == 130
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    return int(ended.value.code or 0)
 
 
 def test_a_rehearsal_has_a_row_for_each_drift_and_a_column_for_each_latency(

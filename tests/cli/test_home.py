@@ -6,18 +6,10 @@ import cv2
 import mujoco
 import numpy as np
 import pytest
+from worlds.called import call
 from worlds.own_home import made_home
 
-from uniteam.cli.main import main
 from uniteam.world.homes.serialization import write_home
-
-
-def call(*arguments: str) -> int:
-    """Run `uniteam` in this process and return its exit code."""
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    assert isinstance(ended.value.code, int)
-    return ended.value.code
 
 
 def test_a_homes_own_file_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,20 +3,14 @@
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 from worlds.runs import result, write_run
 
-from uniteam.cli.main import main
 from uniteam.evaluation.analysis.leaderboard import standings_of
 from uniteam.evaluation.results.run_folder import read_run
 
 ROOT = Path(__file__).parents[2]
 WATCHED = [f"test-{seed}" for seed in range(2000, 2006)] + [f"test-lived_in-{seed}" for seed in range(2000, 2003)]
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    return ended.value.code if isinstance(ended.value.code, int) else 1
 
 
 @pytest.fixture

@@ -6,25 +6,10 @@ from importlib.metadata import version
 from pathlib import Path
 
 import pytest
+from worlds.called import call, complaint
 
 from uniteam.cli.main import COMMANDS, main
 from uniteam.errors import UnknownNameError
-
-
-def call(*arguments: str) -> int:
-    """Run `uniteam` in this process and return its exit code."""
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    code = ended.value.code
-    return code if isinstance(code, int) else int(code is not None)
-
-
-def complaint(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
-    """Run `uniteam` with bad input and return the one sentence that it answers with."""
-    assert call(*arguments) == 2
-    lines = capsys.readouterr().err.strip().splitlines()
-    assert len(lines) == 1
-    return lines[0]
 
 
 def test_the_overview_names_every_command_with_an_example(capsys: pytest.CaptureFixture[str]) -> None:

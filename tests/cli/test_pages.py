@@ -4,19 +4,12 @@ import re
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 from worlds.recorded import Reciter, record
 from worlds.runs import write_run
 
-from uniteam.cli.main import main
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.interface import DiscreteAction
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    assert isinstance(ended.value.code, int)
-    return ended.value.code
 
 
 def test_a_run_becomes_a_report_that_links_to_its_replays(

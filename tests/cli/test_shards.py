@@ -8,8 +8,8 @@ import time
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 
-from uniteam.cli.main import main
 from uniteam.evaluation.recording.order import RECORDINGS, recording_path
 from uniteam.evaluation.recording.recording import read_recording
 from uniteam.evaluation.results.result import result_from_line
@@ -17,12 +17,6 @@ from uniteam.world.task.episode import Split
 from uniteam.world.task.splits import load_split, write_split
 
 PLAY = ("evaluate", "--agents", "random", "--workers", "1")
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    return ended.value.code if isinstance(ended.value.code, int) else 1
 
 
 def command(*arguments: str) -> list[str]:

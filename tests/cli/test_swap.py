@@ -3,18 +3,12 @@
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 from worlds.runs import result, write_run
 
-from uniteam.cli.main import main
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.analysis.swap_plan import MODULES, plan_swaps
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    return ended.value.code if isinstance(ended.value.code, int) else 1
 
 
 def test_the_plan_has_each_agent_as_it_is_and_with_one_module_replaced() -> None:

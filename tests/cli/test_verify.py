@@ -3,16 +3,8 @@
 from pathlib import Path
 
 import pytest
+from worlds.called import call
 from worlds.submitted import alter, write_submission
-
-from uniteam.cli.main import main
-
-
-def call(*arguments: str) -> int:
-    with pytest.raises(SystemExit) as ended:
-        main(arguments)
-    assert isinstance(ended.value.code, int)
-    return ended.value.code
 
 
 def test_it_says_how_many_agree_and_ends_with_2_where_one_does_not(
