@@ -107,6 +107,7 @@ def test_blocked_motion_leaves_the_base_where_it_was_without_sliding(simulator: 
     [
         (BaseDisplacement(x=0.09, heading=math.radians(4.0)), BaseDisplacement()),
         (BaseDisplacement(x=-0.1), BaseDisplacement(x=-0.1)),
+        (BaseDisplacement(heading=math.radians(5.0)), BaseDisplacement(heading=math.radians(5.0))),
         (BaseDisplacement(x=5.0), BaseDisplacement(x=1.0)),
         (BaseDisplacement(y=0.5, heading=-0.2), BaseDisplacement(y=0.5, heading=-0.2)),
     ],
