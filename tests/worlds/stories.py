@@ -24,7 +24,14 @@ def unseen(name: str = "cup_1", **facts: Any) -> Target:
 def grasp(**facts: Any) -> Grasp:
     """Return an attempt that should have taken the cup."""
     usual: dict[str, Any] = dict(
-        step=200, nearest="cup_1", distance=0.5, is_in_view=True, believed="cup_1", took=None, place=(4.0, 4.0)
+        step=200,
+        nearest="cup_1",
+        distance=0.5,
+        is_in_view=True,
+        believed="cup_1",
+        is_of_class=True,
+        took=None,
+        place=(4.0, 4.0),
     )
     return Grasp(**{**usual, **facts})
 

@@ -1,6 +1,7 @@
 """Real episodes that fail for a reason which is known: the oracle, led astray, in the simulator."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import repeat
 from pathlib import Path
 
@@ -12,10 +13,11 @@ from worlds.saboteur import Saboteur, Spoil, until, until_state
 from uniteam.evaluation.agent_spec import AgentSpec
 from uniteam.evaluation.causes.cause import Cause
 from uniteam.evaluation.causes.diagnosis import diagnose, diagnose_result
+from uniteam.evaluation.causes.reading.grasps import grasp_steps, moment_before_grasp
 from uniteam.evaluation.causes.reading.read_story import read_story
 from uniteam.evaluation.causes.reading.targets import moments_to_look
 from uniteam.evaluation.recording.recording import Recording, read_recording
-from uniteam.interface import Action, Decision, DiscreteAction
+from uniteam.interface import Action, Decision, Detection, DiscreteAction
 from uniteam.stretch import JOINT_LIMITS
 
 WAIT = DiscreteAction.EMPTY_ACTION
@@ -117,6 +119,17 @@ def test_pictures_with_little_of_a_thing_are_looked_into_where_there_are_no_bett
     faint = set(np.flatnonzero(pixels[:first_clear]).tolist())
     assert faint and moments_to_look(recording, [name], first_clear) == faint
     assert not faint & moments_to_look(recording, [name], len(pixels))
+
+
+def test_a_grasp_is_at_what_was_believed_a_few_steps_before(tmp_path: Path) -> None:
+    recording = played(tmp_path / "afar.zip", grasp_from_afar)
+    (step,) = grasp_steps(recording)
+    seen = (Detection(((recording.episode.instruction.object_category, 0.9),)),)
+    assert step > 5 and moment_before_grasp(recording, step) == step
+    steps = list(recording.steps)
+    steps[step - 5] = replace(steps[step - 5], detections=seen)
+    recording.steps = tuple(steps)
+    assert moment_before_grasp(recording, step) == step - 5
 
 
 def test_without_a_recording_little_is_said_and_said_to_be_so(tmp_path: Path) -> None:

@@ -54,6 +54,11 @@ CASES: dict[str, tuple[Story, Cause, str]] = {
     "a table that is none": (
         placing(to_goal=2.5, believed="floor or wall"), Cause.WRONG_RECEPTACLE, "floor or wall was taken for a table",
     ),
+    "a cabinet beside the table": (
+        placing(to_goal=0.4, believed="cabinet_1", rests_on=("cabinet_1",)),
+        Cause.WRONG_RECEPTACLE,
+        "let go 0.4 m from the nearest goal, table_1; cabinet_1 was taken for a table",
+    ),
     "another thing": (placing(rests_on=("box_1",)), Cause.ONTO_ANOTHER, "cup_1 lies on box_1"),
     "too high": (
         placing(bottom=0.9, highest=1.0, goal_lowest=1.3, goal_highest=1.3), Cause.TOO_HIGH, "can hang at 1.00 m",
@@ -84,6 +89,11 @@ CASES: dict[str, tuple[Story, Cause, str]] = {
     ),
     "another place, for want of a way to the known table": (
         replace(placing(is_wall_between=True, to_goal=0.3), way=0.7), Cause.NARROW_PASSAGE, "to the table is 0.70 m",
+    ),
+    "another object grasped at, and once the right one from afar": (
+        story(grasps=(grasp(distance=1.5), *(grasp(believed="book_1", is_in_view=False, distance=2.0),) * 2)),
+        Cause.WRONG_OBJECT,
+        "grasped at book_1",
     ),
     "out of reach": (
         story(grasps=(grasp(distance=1.5), grasp(distance=0.95))), Cause.OUT_OF_REACH, "cup_1 was 0.95 m",
@@ -149,6 +159,7 @@ def test_every_rule_decides_an_episode_and_every_cause_but_that_without_a_record
             Cause.NARROW_PASSAGE,
         ),
         (story(grasps=(grasp(took="mug_1"),), way=0.7), Cause.NARROW_PASSAGE),
+        (story(grasps=(grasp(believed="book_1", is_of_class=False, is_in_view=False),), way=0.7), Cause.NARROW_PASSAGE),
         (replace(placing(to_goal=2.5, believed="shelf_2"), way=0.7), Cause.NARROW_PASSAGE),
         (placing(rest_steps=60, bottom=0.9, touched="table_1", **LIES), Cause.COLLIDED),
         (replace(story(taken_at=200), release=release()), Cause.RECEPTACLE_NEVER_FOUND),

@@ -44,7 +44,9 @@ class Grasp:
         nearest: the candidate object nearest to the gripper, of those in the picture where there are any.
         distance: from the gripper to it, in the horizontal plane (m).
         is_in_view: whether a pixel of it was in the picture.
-        believed: what the agent took for the object in that picture, an instance or "floor or wall"; None for nothing.
+        believed: what the agent took for the object when it last did before, an instance or "floor or wall"; None for
+            nothing.
+        is_of_class: whether that is of the class that was asked for.
         took: the instance that it took, or None.
         place: where the base stood (m, world).
     """
@@ -54,6 +56,7 @@ class Grasp:
     distance: float
     is_in_view: bool
     believed: str | None
+    is_of_class: bool
     took: str | None
     place: Point2
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from uniteam.evaluation.causes.reading.belief import Look, look_again
 from uniteam.evaluation.causes.reading.driving import bases_of, read_standstill, width_of_way
-from uniteam.evaluation.causes.reading.grasps import grasp_steps, read_grasps
+from uniteam.evaluation.causes.reading.grasps import grasp_steps, moment_before_grasp, read_grasps
 from uniteam.evaluation.causes.reading.releases import moment_of_belief, read_release, release_step
 from uniteam.evaluation.causes.reading.targets import moments_to_look, read_target
 from uniteam.evaluation.causes.story import Phase, Story, Target, Touch
@@ -68,7 +68,7 @@ def _moments(recording: Recording, taken_at: int | None) -> set[int]:
     return {
         *moments_to_look(recording, [c.name for c in episode.objects], end if taken_at is None else taken_at + 1),
         *moments_to_look(recording, [c.name for c in episode.goal_receptacles], end),
-        *grasp_steps(recording)[-MOST_GRASPS:],
+        *(moment_before_grasp(recording, step) for step in grasp_steps(recording)[-MOST_GRASPS:]),
         *([] if belief is None else [belief]),
     }
 

@@ -22,9 +22,12 @@ def through_wall(story: Story) -> Finding | None:
 
 
 def wrong_receptacle(story: Story) -> Finding | None:
-    """The object was let go of far from every goal receptacle."""
+    """The object was let go of far from every goal receptacle, or lies on what was taken for one."""
     release = _missed(story)
-    if release is None or release.to_goal <= AT_THE_RECEPTACLE:
+    if release is None:
+        return None
+    is_on_it = release.believed != release.goal and release.believed in (release.rests_on or ())
+    if release.to_goal <= AT_THE_RECEPTACLE and not is_on_it:
         return None
     where = f"let go {release.to_goal:.1f} m from the nearest goal, {release.goal}"
     taken = f"; {release.believed} was taken for a {spoken(story.instruction.goal_receptacle)}"

@@ -33,11 +33,12 @@ def not_recognised(story: Story) -> Finding | None:
 def shut_out(story: Story) -> Finding | None:
     """It never got to what counts, the way there is narrow, and so it grasped, or let go, where it could get to.
 
-    Not where it believed to have the right receptacle before it, or took something else.
+    Not where it took something of another class for what was asked for, or into the gripper.
     """
     release = story.release if story.is_placed else None
     is_misled = release is not None and release.believed not in (None, release.goal)
-    if is_misled or any(grasp.took is not None for grasp in story.grasps if not story.has_taken):
+    in_vain = () if story.has_taken else story.grasps
+    if is_misled or any(grasp.took or (grasp.believed and not grasp.is_of_class) for grasp in in_vain):
         return None
     if release is None and (story.has_taken or not story.grasps):
         return None
