@@ -24,7 +24,14 @@ def unseen(name: str = "cup_1", **facts: Any) -> Target:
 def grasp(**facts: Any) -> Grasp:
     """Return an attempt that should have taken the cup."""
     usual: dict[str, Any] = dict(
-        step=200, nearest="cup_1", distance=0.5, is_in_view=True, believed="cup_1", took=None, place=(4.0, 4.0)
+        step=200,
+        nearest="cup_1",
+        distance=0.5,
+        is_in_view=True,
+        believed="cup_1",
+        is_of_class=True,
+        took=None,
+        place=(4.0, 4.0),
     )
     return Grasp(**{**usual, **facts})
 
@@ -32,9 +39,10 @@ def grasp(**facts: Any) -> Grasp:
 def release(**facts: Any) -> Release:
     """Return a release above the middle of a table, after which the cup lies on the floor."""
     usual: dict[str, Any] = dict(
-        step=300, name="cup_1", place=(2.0, 2.0), bottom=0.9, side=0.1, arm=0.3, lift=0.9, touched=None, goal="table_1",
-        to_goal=0.0, goal_lowest=0.75, goal_side=1.2, above=None, is_wall_between=False, believed="table_1",
-        rests_on=("floor",), rests_at=(2.0, 2.8, 0.05), is_over_goal=False, stay_steps=60, rest_steps=0,
+        step=300, name="cup_1", place=(2.0, 2.0), bottom=0.9, side=0.1, arm=0.3, highest=1.1, touched=None,
+        goal="table_1", to_goal=0.0, goal_lowest=0.75, goal_highest=0.75, goal_side=1.2, above=None,
+        is_wall_between=False, believed="table_1", rests_on=("floor",), rests_at=(2.0, 2.8, 0.05), is_over_goal=False,
+        stay_steps=60, rest_steps=0, has_fallen_through=False,
     )  # fmt: skip
     return Release(**{**usual, **facts})
 

@@ -37,6 +37,7 @@ def test_recordings_are_weighed_and_crashes_are_left_out(tmp_path: Path) -> None
     folder.mkdir(parents=True)
     (folder / "e001.zip").write_bytes(b"x" * 100)
     (folder / "e003.zip").write_bytes(b"x" * 300)
+    (folder / "e003.zip.cause.json").write_bytes(b"x" * 20)
     (contestant,) = contestants_named([str(tmp_path / "run")])
     each = taken_by(contestant)
     assert (each.episodes, each.slowest_home, each.recording) == (1, 10.0, 200.0)

@@ -5,7 +5,7 @@ import pytest
 from worlds.small_home import CUP, TABLE, instance, small_home
 
 from uniteam.evaluation.causes.reading.driving import read_standstill, width_of_way
-from uniteam.evaluation.causes.reading.places import distances_to, is_wall_between, to_rectangle
+from uniteam.evaluation.causes.reading.places import distances_to, is_wall_between, nearest_to, to_rectangle
 
 
 def test_the_longest_time_near_a_place_is_found_with_what_was_in_the_way() -> None:
@@ -52,3 +52,13 @@ def test_distances_are_to_the_rectangle_and_exactly_0_within() -> None:
     found = distances_to(home, piece, points)
     assert np.allclose(found, [0.3, 0.5, 0.0]) and found[2] == 0.0
     assert np.allclose(np.hypot(*(to_rectangle(home, piece, points) - points).T), found)
+
+
+def test_a_base_behind_a_wall_is_not_near() -> None:
+    table = instance("table_1", TABLE, 4.8, 0.8)
+    home = small_home(table)
+    beyond, in_the_door, within = (3.7, 0.8), (4.0, 2.0), (6.4, 0.8)
+    assert nearest_to(home, table, np.array([beyond, in_the_door, within])) == (1, pytest.approx(0.8246, abs=1e-3))
+    assert nearest_to(home, table, np.array([within, beyond])) == (0, pytest.approx(1.0))
+    moment, distance = nearest_to(home, table, np.array([beyond, beyond]))
+    assert (moment, distance) == (0, np.inf)

@@ -35,6 +35,17 @@ CASES: dict[str, tuple[Story, Cause, str]] = {
     ),
     "an object that trembles": (placing(is_over_goal=True, rest_steps=10), Cause.WORLD, "stayed on table_1 for 60"),
     "a contact that is not counted": (placing(rest_steps=60, **LIES), Cause.WORLD, "at a contact that does not count"),
+    "a load in the plinth": (
+        placing(bottom=0.1, touched="table_1", rest_steps=60, rests_on=("table_1",)),
+        Cause.COLLIDED,
+        "let go at 0.10 m in table_1, whose lowest surface is 0.75 m high",
+    ),
+    "a stop when it has just come to rest": (
+        placing(rest_steps=40, stay_steps=100, **LIES), Cause.STOPPED_EARLY, "40 of 50 steps",
+    ),
+    "a thing on the table that holds it": (
+        placing(is_over_goal=True, rests_on=("keys_1",)), Cause.ONTO_ANOTHER, "cup_1 lies on keys_1",
+    ),
     "a stop too early": (placing(rest_steps=20, stay_steps=20, **LIES), Cause.STOPPED_EARLY, "20 of 50 steps"),
     "a stop while it still rolls": (
         placing(is_over_goal=True, rests_on=None, stay_steps=3), Cause.STOPPED_EARLY, "0 of 50 steps",
@@ -43,9 +54,20 @@ CASES: dict[str, tuple[Story, Cause, str]] = {
     "a table that is none": (
         placing(to_goal=2.5, believed="floor or wall"), Cause.WRONG_RECEPTACLE, "floor or wall was taken for a table",
     ),
+    "a cabinet beside the table": (
+        placing(to_goal=0.4, believed="cabinet_1", rests_on=("cabinet_1",)),
+        Cause.WRONG_RECEPTACLE,
+        "let go 0.4 m from the nearest goal, table_1; cabinet_1 was taken for a table",
+    ),
     "another thing": (placing(rests_on=("box_1",)), Cause.ONTO_ANOTHER, "cup_1 lies on box_1"),
-    "too high": (placing(bottom=0.9, lift=1.0, goal_lowest=1.3), Cause.TOO_HIGH, "can hang at 1.00 m"),
+    "too high": (
+        placing(bottom=0.9, highest=1.0, goal_lowest=1.3, goal_highest=1.3), Cause.TOO_HIGH, "can hang at 1.00 m",
+    ),
     "a load that met the table": (placing(bottom=0.6, touched="table_1"), Cause.COLLIDED, "and let go at 0.60"),
+    "a load between two boards": (
+        placing(bottom=0.9, touched="table_1", goal_highest=1.6), Cause.COLLIDED, "and let go at 0.90",
+    ),
+    "a fall through": (placing(has_fallen_through=True), Cause.WORLD, "let go of over table_1 at 0.90 m, and fell thr"),
     "too small": (placing(side=1.3), Cause.TOO_SMALL, "1.30 m long, and table_1 1.20 m"),
     "a cluttered table": (placing(above="bowl_2"), Cause.CLUTTERED, "above bowl_2"),
     "a fall off the edge": (placing(), Cause.FELL_OFF, "let go over table_1"),
@@ -56,6 +78,22 @@ CASES: dict[str, tuple[Story, Cause, str]] = {
         story(grasps=(grasp(believed="mug_1", is_in_view=False, distance=4.0),), objects=(unseen(),)),
         Cause.WRONG_OBJECT,
         "grasped at mug_1, taken for a cup",
+    ),
+    "another object, for want of a way to the known one": (
+        story(grasps=(grasp(believed="mug_1", is_in_view=False),), way=0.7), Cause.NARROW_PASSAGE, "0.70 m wide",
+    ),
+    "another object, for want of a way out": (
+        story(grasps=(grasp(believed="mug_1", is_in_view=False),), objects=(unseen(),), way=0.7, standstill=STILL),
+        Cause.NARROW_PASSAGE,
+        "0.70 m wide",
+    ),
+    "another place, for want of a way to the known table": (
+        replace(placing(is_wall_between=True, to_goal=0.3), way=0.7), Cause.NARROW_PASSAGE, "to the table is 0.70 m",
+    ),
+    "another object grasped at, and once the right one from afar": (
+        story(grasps=(grasp(distance=1.5), *(grasp(believed="book_1", is_in_view=False, distance=2.0),) * 2)),
+        Cause.WRONG_OBJECT,
+        "grasped at book_1",
     ),
     "out of reach": (
         story(grasps=(grasp(distance=1.5), grasp(distance=0.95))), Cause.OUT_OF_REACH, "cup_1 was 0.95 m",
@@ -102,7 +140,7 @@ def test_every_rule_decides_an_episode_and_every_cause_but_that_without_a_record
     [
         (placing(to_goal=0.2, above="bowl_2"), Cause.CLUTTERED),
         (placing(bottom=0.8, touched="table_1"), Cause.COLLIDED),
-        (placing(bottom=0.6, lift=0.9), Cause.TOO_HIGH),
+        (placing(bottom=0.6, highest=0.8), Cause.TOO_HIGH),
         (placing(stay_steps=40, rest_steps=10, is_over_goal=True, rests_on=("table_1",)), Cause.WORLD),
         (placing(to_goal=0.5), Cause.WRONG_RECEPTACLE),
         (story(grasps=(grasp(believed="mug_1"),)), Cause.WRONG_OBJECT),
@@ -114,6 +152,16 @@ def test_every_rule_decides_an_episode_and_every_cause_but_that_without_a_record
         (story(way=0.9, measures=STOPPED), Cause.NARROW_PASSAGE),
         (story(objects=(unseen(),), way=0.7, measures=STOPPED), Cause.NARROW_PASSAGE),
         (story(standstill=replace(STILL, last=800)), Cause.STUCK),
+        (
+            story(
+                grasps=(grasp(is_in_view=False),), objects=(unseen(),), way=0.7, standstill=replace(STILL, blocked=3)
+            ),
+            Cause.NARROW_PASSAGE,
+        ),
+        (story(grasps=(grasp(took="mug_1"),), way=0.7), Cause.NARROW_PASSAGE),
+        (story(grasps=(grasp(believed="book_1", is_of_class=False, is_in_view=False),), way=0.7), Cause.NARROW_PASSAGE),
+        (replace(placing(to_goal=2.5, believed="shelf_2"), way=0.7), Cause.NARROW_PASSAGE),
+        (placing(rest_steps=60, bottom=0.9, touched="table_1", **LIES), Cause.COLLIDED),
         (replace(story(taken_at=200), release=release()), Cause.RECEPTACLE_NEVER_FOUND),
     ],
 )

@@ -8,9 +8,9 @@ from typing import Any
 
 from uniteam.errors import UniteamError
 from uniteam.evaluation.analysis.contestants import Contestant
-from uniteam.evaluation.causes.diagnosis import Diagnosis, diagnose, diagnose_result
+from uniteam.evaluation.analysis.kept_causes import cause_of
+from uniteam.evaluation.causes.diagnosis import Diagnosis, diagnose_result
 from uniteam.evaluation.recording.order import RECORDINGS, recording_path
-from uniteam.evaluation.recording.recording import read_recording
 from uniteam.evaluation.results.result import EpisodeResult
 
 _log = logging.getLogger(__name__)
@@ -84,9 +84,9 @@ def _explained(result: EpisodeResult, path: Path) -> Explained:
     if result.measures.overall_success or not path.is_file():
         return Explained(result, diagnose_result(result), None)
     try:
-        recording = read_recording(path)
-        if recording.result.measures == result.measures:
-            return Explained(result, diagnose(recording), path)
+        kept = cause_of(path)
+        if kept.measures == result.measures:
+            return Explained(result, kept.diagnosis, path)
         _log.warning("%s is of another playing than the result of %s, and is not used", path, result.episode)
     except UniteamError as error:
         _log.warning("%s", error)

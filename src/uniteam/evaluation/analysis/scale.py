@@ -7,7 +7,7 @@ from statistics import fmean
 
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation.analysis.contestants import Contestant
-from uniteam.evaluation.recording.order import RECORDINGS
+from uniteam.evaluation.recording.order import ACTION_SUFFIX, RECORDINGS, SUFFIX
 from uniteam.evaluation.results.result import result_to_line
 from uniteam.files import file_name
 
@@ -49,7 +49,8 @@ def taken_by(contestant: Contestant) -> Taken:
     by_home: dict[str, float] = {}
     for result in results:
         by_home[result.home] = by_home.get(result.home, 0.0) + result.seconds
-    files = (contestant.run.directory / RECORDINGS / file_name(contestant.agent)).glob("*")
+    folder = contestant.run.directory / RECORDINGS / file_name(contestant.agent)
+    files = [path for path in folder.glob("*") if path.name.endswith((SUFFIX, ACTION_SUFFIX))]
     return Taken(
         label=contestant.label,
         episodes=len(results),

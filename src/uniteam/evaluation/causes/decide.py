@@ -13,8 +13,11 @@ RULES: tuple[Rule, ...] = (
     end_rules.touched,
     end_rules.done_from_elsewhere,
     end_rules.never_still,
+    end_rules.pushed_into,
     end_rules.contact_not_counted,
     end_rules.stopped_early,
+    # it let go, or grasped, where it could get to
+    search_rules.shut_out,
     # the object was let go of, and lies elsewhere
     place_rules.through_wall,
     place_rules.wrong_receptacle,
@@ -23,6 +26,7 @@ RULES: tuple[Rule, ...] = (
     place_rules.collided,
     place_rules.too_small,
     place_rules.cluttered,
+    place_rules.fell_through,
     place_rules.fell_off,
     place_rules.too_large,
     place_rules.beside,

@@ -18,7 +18,8 @@ class Target:
         most_pixels: of it in any picture.
         recognised_at: the first of the moments looked into at which the agent believed it to be what was asked for.
         taken_for: what it was believed to be there, the name that was given most often; empty where it was nothing.
-        nearest: how near the base came to its rectangle on the floor (m); a receptacle's, while something was carried.
+        nearest: how near the base came to its rectangle on the floor (m), with no wall between; infinite where there
+            always was one. A receptacle's, while something was carried.
         nearest_at: at which moment.
         place: its middle on the floor (m, world).
     """
@@ -43,7 +44,9 @@ class Grasp:
         nearest: the candidate object nearest to the gripper, of those in the picture where there are any.
         distance: from the gripper to it, in the horizontal plane (m).
         is_in_view: whether a pixel of it was in the picture.
-        believed: what the agent took for the object in that picture, an instance or "floor or wall"; None for nothing.
+        believed: what the agent took for the object when it last did before, an instance or "floor or wall"; None for
+            nothing.
+        is_of_class: whether that is of the class that was asked for.
         took: the instance that it took, or None.
         place: where the base stood (m, world).
     """
@@ -53,6 +56,7 @@ class Grasp:
     distance: float
     is_in_view: bool
     believed: str | None
+    is_of_class: bool
     took: str | None
     place: Point2
 
@@ -68,12 +72,13 @@ class Release:
         bottom: how high its lowest point was (m).
         side: its longer side, from above (m).
         arm: how far the arm was extended (m).
-        lift: how high the lift was (m).
+        highest: how high its lowest point would have been with the lift at its limit and the wrist level (m).
         touched: what arm, gripper or object touched in the last steps before, or None.
         goal: the goal receptacle that the agent saw last before; else the nearest to it that is behind no wall, or the
             nearest where all are.
         to_goal: distance in the plane to that one's rectangle (m); 0 above it.
         goal_lowest: height of its lowest surface (m).
+        goal_highest: height of its highest surface (m).
         goal_side: the longer side of its rectangle (m).
         above: another movable thing right below the object, that lies on furniture; None where there is none.
         is_wall_between: whether a wall is between base and object, or between object and receptacle.
@@ -83,6 +88,7 @@ class Release:
         is_over_goal: whether it is above a goal receptacle's rectangle in the end, and not below its lowest surface.
         stay_steps: for how many steps to the end it did not move by more than 2 cm.
         rest_steps: for how many steps to the end it lay still on a goal receptacle.
+        has_fallen_through: whether it came to be below that receptacle's lowest surface by going through it.
     """
 
     step: int
@@ -91,11 +97,12 @@ class Release:
     bottom: float
     side: float
     arm: float
-    lift: float
+    highest: float
     touched: str | None
     goal: str
     to_goal: float
     goal_lowest: float
+    goal_highest: float
     goal_side: float
     above: str | None
     is_wall_between: bool
@@ -105,6 +112,7 @@ class Release:
     is_over_goal: bool
     stay_steps: int
     rest_steps: int
+    has_fallen_through: bool
 
     @property
     def is_on_goal(self) -> bool:
@@ -172,7 +180,7 @@ class Story:
         standstill: the longest.
         touches: of arm or gripper with the scene.
         way: width (m) of the widest way, at the end, from the base to a view point of what it was still to reach; None
-            where that was not looked into.
+            where that was not looked into, as in an episode of which the object was placed.
         has_said: whether the agent said at any step what it believed to see.
         moved_alone: a candidate object that was moved far before the robot had touched anything, or None.
     """

@@ -11,6 +11,9 @@ from uniteam.evaluation.recording.recording import Recording
 from uniteam.interface import DiscreteAction
 from uniteam.stretch import gripper_to_base
 
+REMEMBERED = 40
+"""Steps before a grasp of which what the agent believed may be why it grasps: it turns, folds and looks in between."""
+
 
 def grasp_steps(recording: Recording) -> list[int]:
     """Return the steps at which it grasped with nothing in the gripper."""
@@ -22,9 +25,18 @@ def grasp_steps(recording: Recording) -> list[int]:
     ]
 
 
+def moment_before_grasp(recording: Recording, step: int) -> int:
+    """Return the last moment, of the few before a grasp, at which it believed to see the object; else its own."""
+    category = recording.episode.instruction.object_category
+    before = recording.steps[max(0, step - REMEMBERED) : step + 1]
+    return next((s.step for s in reversed(before) if any(d.name == category for d in s.detections or ())), step)
+
+
 def read_grasps(recording: Recording, looks: Mapping[int, Look]) -> tuple[Grasp, ...]:
     """Return the attempts; `looks` are pictures by moment."""
-    return tuple(_grasp(recording, step, looks.get(step)) for step in grasp_steps(recording))
+    return tuple(
+        _grasp(recording, step, looks.get(moment_before_grasp(recording, step))) for step in grasp_steps(recording)
+    )
 
 
 def _grasp(recording: Recording, step: int, look: Look | None) -> Grasp:
@@ -37,12 +49,15 @@ def _grasp(recording: Recording, step: int, look: Look | None) -> Grasp:
     in_view = {name: bool(recording.visible_pixels(name)[step]) for name in distances}
     nearest = min(distances, key=lambda name: (not in_view[name], distances[name]))
     category = recording.episode.instruction.object_category
+    believed = None if look is None else look.taken_for(category, recording.header.instances)
+    thing = recording.home.by_name.get(believed or "")
     return Grasp(
         step=step,
         nearest=nearest,
         distance=distances[nearest],
         is_in_view=in_view[nearest],
-        believed=None if look is None else look.taken_for(category, recording.header.instances),
+        believed=believed,
+        is_of_class=thing is not None and thing.category == category,
         took=recording.steps[step].events.grasped,
         place=(base.x, base.y),
     )

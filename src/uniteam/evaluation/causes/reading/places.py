@@ -1,11 +1,16 @@
 """Where things are in a home: the rectangle that an instance covers, and walls between two points."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import Point2, invert_transform, transform_points
 from uniteam.world.homes.home import Home, Instance
 from uniteam.world.physics.collision_shapes import model_vertices, wall_boxes
+
+WALL_HEIGHT = 0.3
+"""Above the floor (m): walls go down to it, and doorways are open there."""
 
 
 def to_rectangle(home: Home, instance: Instance, points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -19,6 +24,23 @@ def distances_to(home: Home, instance: Instance, points: NDArray[np.float64]) ->
     """Return how far (m) (N, 2) points of the floor are from a standing instance's rectangle, (N,); 0 inside."""
     own, half = _in_own_frame(home, instance, points)
     return np.asarray(np.hypot(*np.maximum(np.abs(own[:, :2]) - half, 0.0).T))
+
+
+def nearest_to(home: Home, instance: Instance, bases: NDArray[np.float64]) -> tuple[int, float]:
+    """Return at which of (M, 2) points of the floor a base was nearest to a standing instance, and how near (m).
+
+    Points with a wall in between do not count: it is infinitely far where there is no other.
+    """
+    distances, points = distances_to(home, instance, bases), to_rectangle(home, instance, bases)
+    walled: set[Point2] = set()
+    for moment in np.argsort(distances, kind="stable").tolist():
+        (x, y), (u, v) = bases[moment].tolist(), points[moment].tolist()
+        if (x, y) in walled:
+            continue
+        if not is_wall_between(home, (x, y), (u, v), WALL_HEIGHT):
+            return moment, float(distances[moment])
+        walled.add((x, y))
+    return int(np.argmin(distances)), math.inf
 
 
 def box_of(home: Home, name: str, pose: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

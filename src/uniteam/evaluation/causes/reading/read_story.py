@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from uniteam.evaluation.causes.reading.belief import Look, look_again
 from uniteam.evaluation.causes.reading.driving import bases_of, read_standstill, width_of_way
-from uniteam.evaluation.causes.reading.grasps import grasp_steps, read_grasps
+from uniteam.evaluation.causes.reading.grasps import grasp_steps, moment_before_grasp, read_grasps
 from uniteam.evaluation.causes.reading.releases import moment_of_belief, read_release, release_step
 from uniteam.evaluation.causes.reading.targets import moments_to_look, read_target
 from uniteam.evaluation.causes.story import Phase, Story, Target, Touch
@@ -35,7 +35,6 @@ def read_story(recording: Recording) -> Story:
     release = read_release(recording, looks)
     held = recording.steps[-1].held if recording.steps else None
     x, y = bases[-1]
-    is_to_search = taken_at is None or held is not None
     return Story(
         instruction=recording.episode.instruction,
         measures=recording.result.measures,
@@ -51,7 +50,7 @@ def read_story(recording: Recording) -> Story:
         release=release,
         standstill=read_standstill(bases, [step.events.blocked for step in recording.steps]),
         touches=tuple(_touches(recording, bases)),
-        way=_way(recording, bases, taken_at) if is_to_search and recording.steps else None,
+        way=None if recording.result.measures.place_success else _way(recording, bases, taken_at),
         has_said=any(step.detections is not None for step in recording.steps),
         moved_alone=_moved_alone(recording),
     )
@@ -69,7 +68,7 @@ def _moments(recording: Recording, taken_at: int | None) -> set[int]:
     return {
         *moments_to_look(recording, [c.name for c in episode.objects], end if taken_at is None else taken_at + 1),
         *moments_to_look(recording, [c.name for c in episode.goal_receptacles], end),
-        *grasp_steps(recording)[-MOST_GRASPS:],
+        *(moment_before_grasp(recording, step) for step in grasp_steps(recording)[-MOST_GRASPS:]),
         *([] if belief is None else [belief]),
     }
 
@@ -105,10 +104,12 @@ def _touches(recording: Recording, bases: NDArray[np.float64]) -> Iterator[Touch
             yield Touch(step.step, what, step.decision.state, (float(x), float(y)))
 
 
-def _way(recording: Recording, bases: NDArray[np.float64], taken_at: int | None) -> float:
-    episode = recording.episode
+def _way(recording: Recording, bases: NDArray[np.float64], taken_at: int | None) -> float | None:
+    if not recording.steps:
+        return None
+    episode, held = recording.episode, recording.steps[-1].held
     sought = episode.objects if taken_at is None else episode.goal_receptacles
-    final, held = recording.objects.at(len(recording.steps)), recording.steps[-1].held
+    final = recording.objects.at(len(recording.steps))
     poses = {name: pose for name, pose in final.items() if name != held}
     x, y = bases[-1]
     ends = [point for candidate in sought for point in candidate.view_points]

@@ -1,14 +1,18 @@
 """The last time that a candidate object was let go of, and what became of it."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from uniteam.evaluation.causes.reading.belief import Look
+from uniteam.evaluation.causes.reading.falls import Bounds, falls_through
 from uniteam.evaluation.causes.reading.places import box_of, distances_to, is_wall_between, to_rectangle
 from uniteam.evaluation.causes.story import Release
 from uniteam.evaluation.recording.recording import Recording
 from uniteam.geometry import Point2
+from uniteam.interface import Joints
+from uniteam.stretch import JOINT_LIMITS, gripper_to_base
 from uniteam.world.homes.home import Home, Instance
 
 BEFORE = 5
@@ -58,11 +62,12 @@ def read_release(recording: Recording, looks: Mapping[int, Look]) -> Release | N
         bottom=float(low[2]),
         side=float((high - low)[:2].max()),
         arm=recording.true_joints(step).arm,
-        lift=recording.true_joints(step).lift,
+        highest=float(low[2]) + _rise(recording.true_joints(step)),
         touched=_touched(recording, step),
         goal=goal.name,
         to_goal=_distance(home, goal, place),
         goal_lowest=_lowest_surface(home, goal),
+        goal_highest=max(_surfaces(home, goal)),
         goal_side=max(home.model_of(goal).size[:2]),
         above=_right_below(recording, step, name, (float(low[0]), float(high[0])), (float(low[1]), float(high[1]))),
         is_wall_between=_is_behind_wall(recording, step, place, goal, float(low[2])),
@@ -72,6 +77,7 @@ def read_release(recording: Recording, looks: Mapping[int, Look]) -> Release | N
         is_over_goal=any(_is_over(recording, name, each) for each in goals),
         stay_steps=_stay_steps(recording, name),
         rest_steps=_rest_steps(recording, {each.name for each in goals}),
+        has_fallen_through=falls_through(home, goal, _lowest_surface(home, goal), _fall(recording, step, name)),
     )
 
 
@@ -80,9 +86,25 @@ def _names(recording: Recording) -> tuple[str, ...]:
 
 
 def _lowest_surface(home: Home, goal: Instance) -> float:
-    """Return the height (m) of a receptacle's lowest surface, or of its bounding box where it has none."""
+    return min(_surfaces(home, goal))
+
+
+def _surfaces(home: Home, goal: Instance) -> list[float]:
+    """Return the heights (m) of a receptacle's surfaces, or that of its bounding box where it has none."""
     model = home.model_of(goal)
-    return goal.position[2] + min((surface.height for surface in model.surfaces), default=model.size[2])
+    return [goal.position[2] + height for height in [s.height for s in model.surfaces] or [model.size[2]]]
+
+
+def _fall(recording: Recording, step: int, name: str) -> Iterator[Bounds]:
+    """Yield the bounds of an object (m, world) from a moment on."""
+    for moment in range(step, len(recording.steps) + 1):
+        yield box_of(recording.home, name, recording.objects.at(moment)[name])
+
+
+def _rise(joints: Joints) -> float:
+    """Return how much (m) lift and wrist could raise what the gripper holds, which hangs from the grasp centre."""
+    highest = replace(joints, lift=JOINT_LIMITS[1].lift, wrist_pitch=max(joints.wrist_pitch, 0.0))
+    return float(gripper_to_base(highest)[2, 3] - gripper_to_base(joints)[2, 3])
 
 
 def _right_below(recording: Recording, step: int, name: str, xs: Point2, ys: Point2) -> str | None:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.evaluation.causes.reading.belief import Look, spread
-from uniteam.evaluation.causes.reading.places import distances_to
+from uniteam.evaluation.causes.reading.places import nearest_to
 from uniteam.evaluation.causes.story import Target
 from uniteam.evaluation.recording.recording import Recording
 from uniteam.world.task.judge import VIEW_COVERAGE
@@ -17,12 +17,16 @@ MOST_LOOKS = 24
 
 
 def moments_to_look(recording: Recording, names: Sequence[str], until: int) -> set[int]:
-    """Return the moments before `until` at which to look at some instances: when they are large in the picture."""
-    return {
-        moment
-        for name in names
-        for moment in spread(np.flatnonzero(_is_clear(recording, name)[:until]).tolist(), MOST_LOOKS)
-    }
+    """Return the moments before `until` at which to look at some instances.
+
+    They are those at which an instance is large in the picture, or is in it at all where it is never large.
+    """
+    return {moment for name in names for moment in spread(_shown(recording, name, until), MOST_LOOKS)}
+
+
+def _shown(recording: Recording, name: str, until: int) -> list[int]:
+    clear = np.flatnonzero(_is_clear(recording, name)[:until])
+    return (clear if len(clear) else np.flatnonzero(recording.visible_pixels(name)[:until])).tolist()
 
 
 def read_target(
@@ -48,8 +52,7 @@ def read_target(
     index = recording.header.instances.index(name)
     names = {moment: looks[moment].name_of(index) for moment in sorted(looks) if moment < until and pixels[moment]}
     others = Counter(given for given in names.values() if given not in ("", category))
-    distances = distances_to(home, home.by_name[name], bases[begin:until])
-    nearest = int(np.argmin(distances))
+    nearest, distance = nearest_to(home, home.by_name[name], bases[begin:until])
     seen = np.flatnonzero(clear)
     x, y, _ = home.by_name[name].position
     return Target(
@@ -59,7 +62,7 @@ def read_target(
         most_pixels=int(pixels.max()),
         recognised_at=next((moment for moment, given in names.items() if given == category), None),
         taken_for=others.most_common(1)[0][0] if others else "",
-        nearest=float(distances[nearest]),
+        nearest=distance,
         nearest_at=begin + nearest,
         place=(x, y),
     )

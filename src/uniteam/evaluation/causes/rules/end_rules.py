@@ -6,6 +6,8 @@ from uniteam.evaluation.causes.story import Story
 from uniteam.world.task.judge import REST_STEPS
 
 WALL = "wall"
+SETTLED_STEPS = REST_STEPS // 2
+"""What has lain still for so many steps to the end has come to rest, and does not tremble."""
 
 
 def crashed(story: Story) -> Finding | None:
@@ -48,10 +50,26 @@ def never_still(story: Story) -> Finding | None:
     release, measures = story.release, story.measures
     if release is None or not story.is_placed or not release.is_over_goal or release.stay_steps < REST_STEPS:
         return None
-    if measures.place_success or not measures.find_recep_phase_success or release.rest_steps >= REST_STEPS:
+    if measures.place_success or not measures.find_recep_phase_success or release.rest_steps >= SETTLED_STEPS:
+        return None
+    if release.rests_on is not None and not release.rest_steps:  # still, on another thing
         return None
     words = f"{release.name} stayed on {release.goal} for {release.stay_steps} steps, still for {release.rest_steps}"
     return Finding(Cause.WORLD, release.step, release.place, words)
+
+
+def pushed_into(story: Story) -> Finding | None:
+    """The object was pushed into the receptacle below its lowest surface, and lies in it."""
+    release = story.release
+    if release is None or not story.is_placed or not release.rest_steps or story.measures.place_success:
+        return None
+    if release.touched is None or release.bottom >= release.goal_lowest:
+        return None
+    words = (
+        f"touched {release.touched}, and let go at {release.bottom:.2f} m in {release.goal}, whose lowest surface is "
+        f"{release.goal_lowest:.2f} m high"
+    )
+    return Finding(Cause.COLLIDED, release.step, release.place, words)
 
 
 def contact_not_counted(story: Story) -> Finding | None:

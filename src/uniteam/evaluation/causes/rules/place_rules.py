@@ -22,9 +22,12 @@ def through_wall(story: Story) -> Finding | None:
 
 
 def wrong_receptacle(story: Story) -> Finding | None:
-    """The object was let go of far from every goal receptacle."""
+    """The object was let go of far from every goal receptacle, or lies on what was taken for one."""
     release = _missed(story)
-    if release is None or release.to_goal <= AT_THE_RECEPTACLE:
+    if release is None:
+        return None
+    is_on_it = release.believed != release.goal and release.believed in (release.rests_on or ())
+    if release.to_goal <= AT_THE_RECEPTACLE and not is_on_it:
         return None
     where = f"let go {release.to_goal:.1f} m from the nearest goal, {release.goal}"
     taken = f"; {release.believed} was taken for a {spoken(story.instruction.goal_receptacle)}"
@@ -41,25 +44,29 @@ def onto_another(story: Story) -> Finding | None:
 
 
 def too_high(story: Story) -> Finding | None:
-    """With the lift at its limit the object would still have hung lower than the receptacle's lowest surface."""
+    """With lift and wrist at their highest the object would still have hung lower than the lowest surface."""
     release = _missed(story)
     if release is None:
         return None
-    highest = release.bottom + JOINT_LIMITS[1].lift - release.lift
-    if highest >= release.goal_lowest:
+    if release.highest >= release.goal_lowest:
         return None
-    words = f"{release.name} can hang at {highest:.2f} m, and {release.goal} is {release.goal_lowest:.2f} m high"
+    words = (
+        f"{release.name} can hang at {release.highest:.2f} m, and {release.goal} is {release.goal_lowest:.2f} m high"
+    )
     return _found(Cause.TOO_HIGH, release, words)
 
 
 def collided(story: Story) -> Finding | None:
-    """Arm, gripper or load touched something right before, and the object was lower than the receptacle's surface."""
+    """Arm, gripper or load touched something right before, and the object was lower than the highest surface.
+
+    A receptacle of several boards is run into between two of them too.
+    """
     release = _missed(story)
-    if release is None or release.touched is None or release.bottom >= release.goal_lowest:
+    if release is None or release.touched is None or release.bottom >= release.goal_highest:
         return None
     words = (
         f"touched {release.touched}, and let go at {release.bottom:.2f} m, lower than {release.goal}, which is "
-        f"{release.goal_lowest:.2f} m high"
+        f"{release.goal_highest:.2f} m high"
     )
     return _found(Cause.COLLIDED, release, words)
 
@@ -79,6 +86,15 @@ def cluttered(story: Story) -> Finding | None:
     if release is None or release.above is None or release.to_goal > 0.0:
         return None
     return _found(Cause.CLUTTERED, release, f"let go above {release.above}, which lies on {release.goal}")
+
+
+def fell_through(story: Story) -> Finding | None:
+    """The object went through the receptacle, which is solid there."""
+    release = _missed(story)
+    if release is None or not release.has_fallen_through:
+        return None
+    words = f"{release.name} was let go of over {release.goal} at {release.bottom:.2f} m, and fell through it"
+    return _found(Cause.WORLD, release, words)
 
 
 def fell_off(story: Story) -> Finding | None:

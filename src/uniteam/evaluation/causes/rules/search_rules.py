@@ -3,6 +3,8 @@
 They are asked once no rule has found anything in a grasp, or in how the object was let go of.
 """
 
+from math import isfinite
+
 from uniteam.evaluation.causes.cause import Cause
 from uniteam.evaluation.causes.finding import Finding
 from uniteam.evaluation.causes.story import Standstill, Story, Target
@@ -13,6 +15,8 @@ STILL_STEPS = 250
 """A base that does not get away from a place for so many steps is stuck there, or swings to and fro."""
 CLOSE = 1.0
 """m; view points are no farther from a receptacle or an object."""
+SHUT_STEPS = 10
+"""A base that something is in the way of in so many steps of a standstill is kept there by it."""
 
 
 def not_recognised(story: Story) -> Finding | None:
@@ -24,6 +28,22 @@ def not_recognised(story: Story) -> Finding | None:
     taken = f"taken for {best.taken_for}" if best.taken_for else "taken for nothing"
     words = f"{best.name} was in view for {best.seen_for} steps, with up to {best.most_pixels} pixels, {taken}"
     return Finding(Cause.NOT_RECOGNISED, best.seen_at or 0, best.place, words)
+
+
+def shut_out(story: Story) -> Finding | None:
+    """It never got to what counts, the way there is narrow, and so it grasped, or let go, where it could get to.
+
+    Not where it took something of another class for what was asked for, or into the gripper.
+    """
+    release = story.release if story.is_placed else None
+    is_misled = release is not None and release.believed not in (None, release.goal)
+    in_vain = () if story.has_taken else story.grasps
+    if is_misled or any(grasp.took or (grasp.believed and not grasp.is_of_class) for grasp in in_vain):
+        return None
+    if release is None and (story.has_taken or not story.grasps):
+        return None
+    is_kept = story.standstill is not None and story.standstill.blocked >= SHUT_STEPS
+    return narrow_passage(story) if _recognised(story) or is_kept else None
 
 
 def narrow_passage(story: Story) -> Finding | None:
@@ -71,9 +91,8 @@ def not_reached(story: Story) -> Finding | None:
     if not known or _was_close(story):
         return None
     best = min(known, key=lambda target: target.nearest)
-    words = (
-        f"{best.name} was known from step {best.recognised_at}, and the base came no nearer than {best.nearest:.1f} m"
-    )
+    how_near = f"came no nearer than {best.nearest:.1f} m" if isfinite(best.nearest) else "was behind a wall from it"
+    words = f"{best.name} was known from step {best.recognised_at}, and the base {how_near}"
     return Finding(Cause.NOT_REACHED, best.nearest_at, best.place, words)
 
 
