@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from uniteam.geometry import transform_points
-from uniteam.mind.manipulation.arm_path import TOP
+from uniteam.mind.manipulation.arm_clearance import EMPTY_GRIPPER, SweepConfig
+from uniteam.mind.manipulation.arm_path import TOP, ArmPath, is_path_free
 from uniteam.mind.manipulation.place.after_release import Lying, wait_for_rest
 from uniteam.mind.perception.vocabulary import ClassRole
 from uniteam.mind.skills.skill import Skill, move_joints, turn_exactly
@@ -61,7 +62,8 @@ class WatchRest:
 class LookWhereItLies:
     """Takes the object for placed where it is seen on the goal receptacle, and where it is not seen at all.
 
-    Once the arm is out of the picture, the robot looks for it on the floor and beyond, then to either side.
+    Once the arm is out of the picture, the robot looks for it on the floor and beyond, then to either side; where the
+    arm cannot be taken back, it does not look.
 
     Attributes:
         beside: receptacle points so near to the object's, from above, are below it (m).
@@ -82,6 +84,8 @@ class LookWhereItLies:
         if self._is_placed(view):
             return None
         view = yield from take_arm_back(view, self.raise_by)
+        if view.observation.joints.arm > 0.0:
+            return None
         for turned, tilt in self.gazes:
             if len(_dropped_points(view)):
                 break
@@ -107,12 +111,20 @@ class LookWhereItLies:
 
 
 def take_arm_back(view: View, raise_by: float) -> Skill[View]:
-    """Lift the arm (m) and retract it, for what it hides to be seen; where it is retracted, do nothing."""
+    """Retract the arm, lifted (m) where it then touches nothing, for what it hides to be seen.
+
+    It stays where it would touch something either way, and where it is retracted.
+    """
     joints = view.observation.joints
     if joints.arm == 0.0:
         return view
     raised = replace(joints, lift=min(joints.lift + raise_by, TOP))
-    for target in (raised, replace(raised, arm=0.0)):
+    ways = (
+        ArmPath((joints, *stations)) for stations in ((raised, replace(raised, arm=0.0)), (replace(joints, arm=0.0),))
+    )
+    surroundings = view.surroundings()
+    way = next((way for way in ways if is_path_free(way, surroundings, EMPTY_GRIPPER, SweepConfig())), None)
+    for target in way.stations[1:] if way else ():
         view = yield from move_joints(view, target, "I take the arm back to see where it lies.")
     return view
 
