@@ -51,7 +51,7 @@ def over_sockets(bridge: FakeBridge, truth_of: TruthOf) -> Iterator[StretchRobot
     """
     agility = bridge.robot.dials.agility
     limits, pace = replace(limits_at(agility), stale=LENIENT), replace(pace_at(agility), poll=TICK)
-    with _served(bridge, truth_of) as first_port:
+    with served(bridge, truth_of) as first_port:
         channel = Channel(ZmqWire(LOOPBACK, first_port), SystemClock(), limits.stale, pace, UNHURRIED)
         try:
             yield StretchRobot(BridgeLink(channel, limits, pace, UNHURRIED), limits)
@@ -60,8 +60,12 @@ def over_sockets(bridge: FakeBridge, truth_of: TruthOf) -> Iterator[StretchRobot
 
 
 @contextmanager
-def _served(bridge: FakeBridge, truth_of: TruthOf) -> Iterator[int]:
-    """Let a robot live behind four ports, in a thread, and give the first of them."""
+def served(bridge: FakeBridge, truth_of: TruthOf) -> Iterator[int]:
+    """Let a robot live behind four ports of this machine, in a thread, and give the first of them.
+
+    Raises:
+        UnavailableError: pyzmq is not installed, or no four ports in a row are free.
+    """
     server, first_port = _bound(bridge, truth_of)
     is_over = threading.Event()
     thread = threading.Thread(target=server.serve, args=(lambda: not is_over.is_set(),))
