@@ -17,6 +17,7 @@ from uniteam.world.fake.bridge_messages import TruthOf, no_truth
 from uniteam.world.fake.dials import Dials
 from uniteam.world.fake.fake_stretch import FakeStretch
 from uniteam.world.fake.lockstep import Lockstep
+from uniteam.world.fake.zmq_server import RealTime
 from uniteam.world.real.bridge_link import BridgeLink
 from uniteam.world.real.channel import Channel, Wire
 from uniteam.world.real.link import Clock
@@ -70,8 +71,8 @@ class Ports:
 
 @contextmanager
 def served(side: FakeBridge, truth_of: TruthOf = no_truth) -> Iterator[Ports]:
-    """Serve a fake robot on loopback, in a thread."""
-    with joined.served(side, truth_of) as first:
+    """Serve a fake robot on loopback, in a thread and in real time."""
+    with joined.served(side, truth_of, RealTime()) as first:
         yield Ports(first)
 
 

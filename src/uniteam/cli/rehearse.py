@@ -62,8 +62,7 @@ def rehearse(
     """Play episodes in the simulator, and on fake robots at pairs of a drift and a latency, and print how many succeed.
 
     The agent acts through the same messages, checks and motions as on a real Stretch, but time passes only while it is
-    waited for: a slow machine takes longer and finds the same. An episode takes a minute or more of computing. With
-    --over sockets the messages go through real ports of this machine, in real time, which --agility 4 makes bearable.
+    waited for: a slow machine takes longer and finds the same. An episode takes a minute or more of computing.
 
     Args:
         agent: Which agent: a name, or your own as MODULE:ATTRIBUTE.
@@ -84,7 +83,8 @@ def rehearse(
             points at (honest), or what its fingers close around (arm), which needs --with arm_grasp.
         with_: Improvements to add if the agent lacks them, names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agent, by name.
-        over: What carries the messages: a time that waits (lockstep), or four ports of this machine (sockets).
+        over: What carries the messages: a call (lockstep), or four ports of this machine (sockets), which leave to
+            chance in which moment a message arrives.
         out: A .json file for the figures and each episode's end.
     """
     check_at_least_one(episodes=episodes, steps=steps)

@@ -1,23 +1,22 @@
-"""The two ways in which a body is joined to a fake robot: in a time that waits for it, and over real ports."""
+"""The two ways in which a body is joined to a fake robot whose time waits for it: directly, and over real ports."""
 
 import socket
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager, suppress
+from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
 from dataclasses import replace
 
 from uniteam.errors import UnavailableError
+from uniteam.world.fake.awaited_time import AwaitedTime
 from uniteam.world.fake.bridge import FakeBridge
 from uniteam.world.fake.bridge_messages import TruthOf
-from uniteam.world.fake.fake_stretch import TICK
 from uniteam.world.fake.lockstep import Lockstep
-from uniteam.world.fake.zmq_server import ZmqServer
+from uniteam.world.fake.zmq_server import Wait, ZmqServer
 from uniteam.world.real.bridge_link import BridgeLink
 from uniteam.world.real.channel import Channel
 from uniteam.world.real.pace import Pace, Patience
 from uniteam.world.real.safety import SafetyLimits
 from uniteam.world.real.stretch_robot import StretchRobot
-from uniteam.world.real.system_clock import SystemClock
 from uniteam.world.real.zmq_wire import ZmqWire
 
 Join = Callable[[FakeBridge, TruthOf], AbstractContextManager[StretchRobot]]
@@ -25,10 +24,8 @@ Join = Callable[[FakeBridge, TruthOf], AbstractContextManager[StretchRobot]]
 
 WIDE_FENCE = 100.0
 """m: a simulated home needs none."""
-UNHURRIED = Patience(obey=5.0)
-"""In real time on a machine that may have other things to do."""
-LENIENT = 2.0
-"""s for which such a machine may be silent."""
+UNHURRIED = Patience(connect=100.0)
+"""Of sockets that need some time of the machine's to be connected, while the robot's passes faster."""
 LOOPBACK = "127.0.0.1"
 _TRIES, _LAST_FIRST_PORT = 20, 65_532
 
@@ -46,29 +43,37 @@ def in_lockstep(bridge: FakeBridge, truth_of: TruthOf) -> Iterator[StretchRobot]
 def over_sockets(bridge: FakeBridge, truth_of: TruthOf) -> Iterator[StretchRobot]:
     """Give the body of a fake robot that is served on four ports of this machine, and end it afterwards.
 
+    Time passes only while it is waited for here too, so that a busy machine makes no worse a robot. What is left to
+    chance is whether a message arrives in the moment in which it was sent or in the next.
+
     Raises:
         UnavailableError: pyzmq is not installed, or no four ports in a row are free.
     """
-    agility = bridge.robot.dials.agility
-    limits, pace = replace(limits_at(agility), stale=LENIENT), replace(pace_at(agility), poll=TICK)
-    with served(bridge, truth_of) as first_port:
-        channel = Channel(ZmqWire(LOOPBACK, first_port), SystemClock(), limits.stale, pace, UNHURRIED)
-        try:
-            yield StretchRobot(BridgeLink(channel, limits, pace, UNHURRIED), limits)
-        finally:
-            channel.close()
+    limits, pace = limits_at(bridge.robot.dials.agility), pace_at(bridge.robot.dials.agility)
+    clock = AwaitedTime(bridge.robot)
+    with served(bridge, truth_of, clock.hold) as first_port, ExitStack() as at_last:
+        at_last.callback(clock.end)
+        wire = ZmqWire(LOOPBACK, first_port)
+        at_last.callback(wire.close)
+        channel = Channel(wire, clock, limits.stale, pace, UNHURRIED)
+        yield StretchRobot(BridgeLink(channel, limits, pace, UNHURRIED), limits)
 
 
 @contextmanager
-def served(bridge: FakeBridge, truth_of: TruthOf) -> Iterator[int]:
+def served(bridge: FakeBridge, truth_of: TruthOf, wait: Wait) -> Iterator[int]:
     """Let a robot live behind four ports of this machine, in a thread, and give the first of them.
+
+    Args:
+        bridge: the robot's.
+        truth_of: what of the truth its pictures carry.
+        wait: is called before each of its moments.
 
     Raises:
         UnavailableError: pyzmq is not installed, or no four ports in a row are free.
     """
     server, first_port = _bound(bridge, truth_of)
     is_over = threading.Event()
-    thread = threading.Thread(target=server.serve, args=(lambda: not is_over.is_set(),))
+    thread = threading.Thread(target=server.serve, args=(lambda: not is_over.is_set(), wait))
     thread.start()
     try:
         yield first_port
