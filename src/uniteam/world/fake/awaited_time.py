@@ -6,7 +6,7 @@ import time
 from uniteam.world.fake.fake_stretch import FakeStretch
 from uniteam.world.real.robot_errors import SilentRobotError
 
-CARRIAGE = 0.0005
+CARRIAGE = 0.001
 """s that the machine is given to carry to their reader the messages of the moment that was waited for."""
 PATIENCE = 60.0
 """s of the machine's time after which a robot that does not get there is given up."""
