@@ -346,6 +346,18 @@ def test_a_delay_makes_it_no_less_exact(world: Simulator, caplog: pytest.LogCapt
     assert (base.x, base.y, base.heading) == pytest.approx((0.5, 0.0, 1.0), abs=0.02)
 
 
+def test_it_learns_how_early_a_late_robot_must_be_told_to_stop(world: Simulator) -> None:
+    side = bridge(world, replace(QUICK, latency=0.1))
+    robot = lockstep_body(side)
+    robot.reset()
+    ends = [side.robot.time]
+    for _ in range(5):
+        robot.step(DiscreteAction.TURN_LEFT)
+        ends.append(side.robot.time)
+    seconds = np.diff(ends)
+    assert seconds[-1] < 0.75 * seconds[0]
+
+
 def test_a_picture_is_of_after_the_motion_though_the_camera_is_later_than_all_else(
     world: Simulator, side: FakeBridge
 ) -> None:
