@@ -33,7 +33,7 @@ def test_the_same_agent_succeeds_on_both(tmp_path: Path, caplog: pytest.LogCaptu
     environment = Environment(home, episode, give_truth=True)
     assert play_episode(environment, AgentSpec("uniteam-plus", "truth").make(environment)).measures.overall_success
 
-    robot = FakeStretch(Simulator(home, HEAD_CAMERA_HALF), episode, Dials(agility=12.0, image_hz=20.0))
+    robot = FakeStretch(Simulator(home, HEAD_CAMERA_HALF), episode, Dials(agility=4.0, image_hz=5.0))
     side = FakeBridge(robot)
     task = Task(episode.instruction, episode.seed, 500)
     with over_sockets(side, truth_maker(home)) as body, caplog.at_level(logging.WARNING, "uniteam.world.real"):
