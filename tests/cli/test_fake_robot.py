@@ -64,6 +64,16 @@ def test_a_rehearsal_has_a_row_for_each_drift_and_a_column_for_each_latency(
     assert settings[1]["runs"][0]["seconds"] > settings[0]["runs"][0]["seconds"]
 
 
+def test_a_rehearsal_over_sockets_says_so(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv("COLUMNS", "200")
+    dials = ("--drift", "0", "--latency", "0", "--agility", "4", "--steps", "3", "--over", "sockets")
+    assert call("rehearse", "--agent", "baseline", "--episodes", "1", *dials) == 0
+    told = capsys.readouterr().out
+    assert "over sockets" in told
+    assert "0 unlike the simulator" in told
+    assert "stopped" not in told
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [

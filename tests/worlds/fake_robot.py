@@ -1,7 +1,6 @@
 """A fake Stretch in a room of boxes, in lockstep or behind real ports on loopback, and a body that is quick with it."""
 
 import random
-import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -10,15 +9,15 @@ from pathlib import Path
 import numpy as np
 from worlds import judged_scene
 
-from uniteam.errors import UnavailableError
 from uniteam.geometry import BasePose, PinholeCamera
 from uniteam.interface import Action, Observation
+from uniteam.world.fake import joined
 from uniteam.world.fake.bridge import FakeBridge
 from uniteam.world.fake.bridge_messages import TruthOf, no_truth
 from uniteam.world.fake.dials import Dials
 from uniteam.world.fake.fake_stretch import FakeStretch
 from uniteam.world.fake.lockstep import Lockstep
-from uniteam.world.fake.zmq_server import ZmqServer
+from uniteam.world.fake.zmq_server import RealTime
 from uniteam.world.real.bridge_link import BridgeLink
 from uniteam.world.real.channel import Channel, Wire
 from uniteam.world.real.link import Clock
@@ -72,26 +71,9 @@ class Ports:
 
 @contextmanager
 def served(side: FakeBridge, truth_of: TruthOf = no_truth) -> Iterator[Ports]:
-    """Serve a fake robot on loopback, in a thread."""
-    server, first = _bound(side, truth_of)
-    done = threading.Event()
-    thread = threading.Thread(target=server.serve, args=(lambda: not done.is_set(),))
-    thread.start()
-    try:
+    """Serve a fake robot on loopback, in a thread and in real time."""
+    with joined.served(side, truth_of, RealTime()) as first:
         yield Ports(first)
-    finally:
-        done.set()
-        thread.join()
-
-
-def _bound(side: FakeBridge, truth_of: TruthOf) -> tuple[ZmqServer, int]:
-    for _ in range(20):
-        first = free_ports()
-        try:
-            return ZmqServer(side, side.robot.simulator.camera, truth_of, ("127.0.0.1", first)), first
-        except UnavailableError:
-            continue
-    raise AssertionError("there are no four free ports in a row")
 
 
 def free_ports() -> int:

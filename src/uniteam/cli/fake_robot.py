@@ -15,7 +15,7 @@ from uniteam.world.fake.bridge import FakeBridge
 from uniteam.world.fake.bridge_messages import no_truth
 from uniteam.world.fake.dials import Dials
 from uniteam.world.fake.fake_stretch import FakeStretch
-from uniteam.world.fake.zmq_server import ZmqServer
+from uniteam.world.fake.zmq_server import RealTime, ZmqServer
 from uniteam.world.real.zmq_wire import OBSERVATION_PORT
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.grasp_rules import grasp_rule_named
@@ -84,7 +84,7 @@ def fake_robot(
     where = f"host {shown(host)}, ports {port} to {port + 3}; r is its run-stop, Ctrl-C ends it"
     console.print(f"A fake Stretch at {where}", soft_wrap=True)
     with listening() as keys:
-        server.serve(_Watching(robot, keys, console))
+        server.serve(_Watching(robot, keys, console), RealTime())
 
 
 class _Watching:

@@ -17,14 +17,18 @@ from uniteam.errors import InvalidInputError
 from uniteam.evaluation import rehearsal
 from uniteam.evaluation.agent_spec import label_agents
 from uniteam.evaluation.episode_choice import choose_episodes
-from uniteam.evaluation.rehearsal import Rehearsed
+from uniteam.evaluation.rehearsal import Rehearsal, Rehearsed
 from uniteam.evaluation.results.intervals import estimate_proportion
 from uniteam.evaluation.worker import camera_named
 from uniteam.files import try_output, write_whole
 from uniteam.world.fake.dials import Dials
+from uniteam.world.fake.joined import Join, in_lockstep, over_sockets
 from uniteam.world.simulation.simulator import Simulator
 from uniteam.world.task.measures import Measures
 from uniteam.world.task.splits import load_split
+
+JOINS: dict[str, Join] = {"lockstep": in_lockstep, "sockets": over_sockets}
+"""How an agent's body is joined to a fake robot, by the name that is typed."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +56,7 @@ def rehearse(
     grasp: Literal["challenge", "honest", "arm"] = "challenge",
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
+    over: Literal["lockstep", "sockets"] = "lockstep",
     out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None,
 ) -> None:
     """Play episodes in the simulator, and on fake robots at pairs of a drift and a latency, and print how many succeed.
@@ -78,6 +83,8 @@ def rehearse(
             points at (honest), or what its fingers close around (arm), which needs --with arm_grasp.
         with_: Improvements to add if the agent lacks them, names, or your own as MODULE:ATTRIBUTE.
         without: Improvements to take from the agent, by name.
+        over: What carries the messages: a call (lockstep), or four ports of this machine (sockets), which leave to
+            chance in which moment a message arrives.
         out: A .json file for the figures and each episode's end.
     """
     check_at_least_one(episodes=episodes, steps=steps)
@@ -85,6 +92,7 @@ def rehearse(
         raise InvalidInputError("--drift and --latency need at least one number each, such as --drift 0 0.02")
     settings = [Dials(late, far, depth_noise, holes, agility, image_hz, seed) for far in drift for late in latency]
     ((label, spec),) = label_agents((agent,), perception, with_, without).items()
+    how = Rehearsal(spec, grasp, steps, JOINS[over])
     if out is not None:
         try_output(out, (".json",))
     console, episodes_of = make_console(), load_split(split)
@@ -94,15 +102,15 @@ def rehearse(
     with counting(console, "rehearsing", (1 + len(settings)) * len(chosen)) as advance:
         for episode in chosen:
             simulator = Simulator(episodes_of.homes[episode.home], camera_named(camera))
-            simulated.append(rehearsal.play_simulated(simulator, episode, spec, grasp, steps))
+            simulated.append(rehearsal.play_simulated(simulator, episode, how))
             advance()
             for dials in settings:
-                cells[dials].append(rehearsal.rehearse(simulator, episode, spec, dials, grasp, steps))
+                cells[dials].append(rehearsal.rehearse(simulator, episode, dials, how))
                 advance()
     caption = (
         f"{label}, split {split}, {len(chosen)} episodes, perception {perception}, camera {camera}, grasp {grasp}, "
-        f"agility {agility:g}, uniteam {uniteam.__version__}; overall successes, 95 % interval, partial success, "
-        "and how many episodes end unlike those in the simulator itself"
+        f"agility {agility:g}, over {over}, uniteam {uniteam.__version__}; overall successes, 95 % interval, partial "
+        "success, and how many episodes end unlike those in the simulator itself"
     )
     console.print(_table([Cell(dials, tuple(runs)) for dials, runs in cells.items()], simulated, shown(caption)))
     if out is not None:

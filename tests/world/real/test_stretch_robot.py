@@ -98,6 +98,13 @@ def test_it_turns_as_far_as_asked(robot: StretchRobot, degrees: float) -> None:
     assert abs(math.remainder(seen.base_to_start.heading - math.radians(degrees), math.tau)) < 0.02
 
 
+def test_twelve_turns_come_to_a_whole_one(robot: StretchRobot) -> None:
+    seen = robot.reset()
+    for _ in range(12):
+        seen = robot.step(DiscreteAction.TURN_LEFT)
+    assert abs(seen.base_to_start.heading) < 0.01
+
+
 def test_a_half_turn_to_the_right_is_not_one_to_the_left(side: FakeBridge) -> None:
     headings: list[float] = []
     line = Lockstep(side, side.robot.simulator.camera, no_truth)
@@ -147,6 +154,19 @@ def test_it_feels_what_it_holds_and_what_it_let_go_of(world: Simulator) -> None:
     assert world.held is None
 
 
+def test_a_gripper_that_has_missed_is_opened_before_it_closes_again(world: Simulator) -> None:
+    side = bridge(world)
+    side.robot._episode = replace(EPISODE, start=BasePose(0.95, 0.5, math.pi))
+    side.robot.reset()
+    robot = lockstep_body(side)
+    robot.reset()
+    assert not robot.step(DiscreteAction.SNAP_OBJECT).is_holding
+    robot.step(DiscreteAction.MANIPULATION_MODE)
+    assert robot.step(DiscreteAction.SNAP_OBJECT).is_holding
+    assert robot.step(DiscreteAction.SNAP_OBJECT).is_holding
+    assert world.held == "cup"
+
+
 def test_a_gripper_that_closes_on_nothing_holds_nothing(robot: StretchRobot) -> None:
     robot.reset()
     assert not robot.step(DiscreteAction.SNAP_OBJECT).is_holding
@@ -158,8 +178,23 @@ def test_a_wall_ends_the_step_not_the_run(world: Simulator) -> None:
     side.robot.reset()
     robot = lockstep_body(side)
     robot.reset()
-    assert robot.step(BaseDisplacement(x=0.9)).base_to_start.x < 0.72
+    robot.step(BaseDisplacement(x=0.9))
     assert robot.step(DiscreteAction.TURN_LEFT).base_to_start.heading == pytest.approx(math.pi / 6, abs=0.02)
+
+
+@pytest.mark.parametrize("distance", [0.15, 0.9])
+def test_from_what_is_in_its_way_it_goes_back_as_if_it_had_not_begun(world: Simulator, distance: float) -> None:
+    side = bridge(world)
+    side.robot._episode = replace(EPISODE, start=BasePose(3.0, 3.0, 0.0))
+    side.robot.reset()
+    furthest: list[float] = []
+    line = Lockstep(side, world.camera, no_truth)
+    robot = body(line, line, watchers=(lambda state: furthest.append(state.base.x),))
+    robot.reset()
+    robot.step(BaseDisplacement(x=0.6))
+    assert robot.step(BaseDisplacement(x=distance)).base_to_start.x == pytest.approx(0.6, abs=0.005)
+    assert max(furthest) > 0.64
+    assert robot.step(BaseDisplacement(x=-0.15)).base_to_start.x == pytest.approx(0.45, abs=0.01)
 
 
 @pytest.mark.parametrize("nonsense", [None, "stop", BaseDisplacement(x=math.nan)])
@@ -309,6 +344,18 @@ def test_a_delay_makes_it_no_less_exact(world: Simulator, caplog: pytest.LogCapt
     assert caplog.records == []
     base = seen.base_to_start
     assert (base.x, base.y, base.heading) == pytest.approx((0.5, 0.0, 1.0), abs=0.02)
+
+
+def test_it_learns_how_early_a_late_robot_must_be_told_to_stop(world: Simulator) -> None:
+    side = bridge(world, replace(QUICK, latency=0.1))
+    robot = lockstep_body(side)
+    robot.reset()
+    ends = [side.robot.time]
+    for _ in range(5):
+        robot.step(DiscreteAction.TURN_LEFT)
+        ends.append(side.robot.time)
+    seconds = np.diff(ends)
+    assert seconds[-1] < 0.75 * seconds[0]
 
 
 def test_a_picture_is_of_after_the_motion_though_the_camera_is_later_than_all_else(

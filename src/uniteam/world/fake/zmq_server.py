@@ -1,5 +1,6 @@
-"""A fake robot behind the four ports of the bridge of stretch_ai, in real time."""
+"""A fake robot behind the four ports of the bridge of stretch_ai."""
 
+import math
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -22,6 +23,24 @@ from uniteam.world.real.zmq_wire import ACTION_PORT, OBSERVATION_PORT, SERVO_POR
 
 LONGEST_LAG = 0.1
 """By how much (s) the robot's time may fall behind before it is let go: a slow machine makes a slow robot."""
+
+Wait = Callable[[float], None]
+"""Is shown the robot's time (s) and returns once the robot's next moment may come."""
+
+
+class RealTime:
+    """Waits until the machine's time is as far as the robot's."""
+
+    def __init__(self) -> None:
+        """Begin at the first moment that is waited for."""
+        self._began = -math.inf
+
+    def __call__(self, robot_time: float) -> None:
+        """Wait until a moment (s) has come; of a robot that has fallen behind, let time go."""
+        self._began = max(self._began, time.monotonic() - robot_time - LONGEST_LAG)
+        behind = time.monotonic() - robot_time - self._began
+        if behind < TICK:
+            time.sleep(TICK - behind)
 
 
 class ZmqServer:
@@ -52,16 +71,11 @@ class ZmqServer:
             port: Delayed(latency) for port in (OBSERVATION_PORT, STATE_PORT, SERVO_PORT)
         }
 
-    def serve(self, goes_on: Callable[[], bool]) -> None:
-        """Let the robot live until `goes_on` is false, and close the ports."""
-        began = time.monotonic() - self._bridge.robot.time
+    def serve(self, goes_on: Callable[[], bool], wait: Wait) -> None:
+        """Let the robot live until `goes_on` is false, each moment of it after `wait`, and close the ports."""
         try:
             while goes_on():
-                behind = time.monotonic() - began - self._bridge.robot.time
-                if behind < TICK:
-                    time.sleep(TICK - behind)
-                elif behind > LONGEST_LAG:
-                    began += behind - LONGEST_LAG
+                wait(self._bridge.robot.time)
                 self._tick()
         finally:
             self._context.destroy(linger=0)

@@ -8,14 +8,14 @@ mode, which moves the base by exact positions and feels what it meets.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from dataclasses import replace
 
 from uniteam.geometry import BasePose, wrap_angle
 from uniteam.interface import Joints
 from uniteam.stretch import OPEN_FINGER, clamp_joints
 from uniteam.world.real.channel import Channel
-from uniteam.world.real.drive import Drive, travelled, turned
+from uniteam.world.real.drive import Coast, Drive, travelled, turned
 from uniteam.world.real.link import RobotState, View
 from uniteam.world.real.messages import MANIPULATION, NAVIGATION, StateMessage, command
 from uniteam.world.real.pace import Pace, Patience
@@ -30,6 +30,11 @@ STILL, STILL_ANGLE = 0.002, 0.01
 """What moved less from one look to the next (m; rad) stands still."""
 NEAR, NEAR_ANGLE = 0.005, 0.02
 """How near (m; rad) to where it is to be a joint has arrived."""
+BLOCKED = 0.02
+"""How far (m) from where it was sent a base that was moved by a position has met something."""
+
+Velocity = Callable[[float], dict[str, float]]
+"""From a speed to the velocities of a base that moves along one axis."""
 
 
 class BridgeLink:
@@ -39,6 +44,7 @@ class BridgeLink:
         """Take a robot that has been connected to; nothing is asked of it yet."""
         self._channel, self._limits, self._pace, self._patience = channel, limits, pace, patience
         self._base_x, self._goal = channel.state.base_x, channel.state.state.joints
+        self._rolling, self._turning = Coast(), Coast()
 
     def glance(self) -> View:
         """Return the next picture that comes."""
@@ -73,17 +79,18 @@ class BridgeLink:
         """Turn the base by velocities."""
         yield from self._mode(NAVIGATION)
         drive = Drive(angle, turned(), self._limits.turn_speed, STILL_ANGLE, self._pace, self._patience)
-        yield from self._follow(drive, lambda speed: {"v": 0.0, "w": speed})
+        yield from self._follow(drive, self._turning, _round)
 
     def translate(self, distance: float) -> Iterator[RobotState]:
-        """Drive the base by velocities, or by a position where it is not far."""
+        """Drive the base by velocities, or by a position where it is not far; from what is in its way, back again."""
         if abs(distance) < SMALL_DISTANCE:
             yield from self._mode(MANIPULATION)
-            yield from self._send_joints(self._goal, distance)
+            yield from self._shift(distance)
             return
         yield from self._mode(NAVIGATION)
-        drive = Drive(distance, travelled(), self._limits.speed, STILL, self._pace, self._patience)
-        yield from self._follow(drive, lambda speed: {"v": speed, "w": 0.0})
+        drive = self._along(distance)
+        if (yield from self._follow(drive, self._rolling, _ahead)):
+            yield from self._follow(self._along(drive.rest - distance), self._rolling, _ahead)
 
     def move_joints(self, joints: Joints) -> Iterator[RobotState]:
         """Move the joints; the head alone needs no change of mode."""
@@ -134,24 +141,42 @@ class BridgeLink:
             yield self._channel.tick().state
         self._base_x = 0.0
 
-    def _follow(self, drive: Drive, velocity: Callable[[float], dict[str, float]]) -> Iterator[RobotState]:
-        """Drive the base until it is where it was sent, or something is in its way."""
+    def _along(self, distance: float) -> Drive:
+        return Drive(distance, travelled(), self._limits.speed, STILL, self._pace, self._patience)
+
+    def _shift(self, distance: float) -> Iterator[RobotState]:
+        """Move the base by a position, in the arm's mode; from what is in its way, back again."""
+        start = self._channel.state.state.base
+        yield from self._send_joints(self._goal, distance)
+        come = start.inverse().compose(self._channel.state.state.base).x
+        if abs(distance - come) > BLOCKED:
+            yield from self._send_joints(self._goal, -distance)
+
+    def _follow(self, drive: Drive, coast: Coast, velocity: Velocity) -> Generator[RobotState, None, bool]:
+        """Drive the base until it is where it was sent, and return whether something was in its way."""
         for _ in range(3):
-            yield from self._approach(drive, velocity)
+            speed = yield from self._approach(drive, coast, velocity)
+            rest, is_stuck = drive.rest, drive.is_stuck
             yield from self._asked({"base_velocity": velocity(0.0)})
             yield from self._until_rest(lambda state: False)
             drive.see(self._channel.state.state.base, self._channel.now())
-            if drive.is_stuck or drive.is_there(slack=2.0):
-                return
+            if is_stuck:
+                return not drive.is_there
+            coast.learn(rest - drive.rest, speed)
+            if drive.is_there:
+                return False
             drive.begin_again(self._channel.now())
+        return False
 
-    def _approach(self, drive: Drive, velocity: Callable[[float], dict[str, float]]) -> Iterator[RobotState]:
-        sent_at, obeyed, obeyed_at = -math.inf, self._channel.state.step, self._channel.now()
+    def _approach(self, drive: Drive, coast: Coast, velocity: Velocity) -> Generator[RobotState, None, float]:
+        """Drive the base until it is to stop or is stuck, and return the speed that it was sent last (m/s or rad/s)."""
+        speed, sent_at = 0.0, -math.inf
+        obeyed, obeyed_at = self._channel.state.step, self._channel.now()
         while True:
             message, now = self._channel.tick(), self._channel.now()
             drive.see(message.state.base, now)
-            if drive.is_there() or drive.is_stuck:
-                return
+            if drive.is_to_stop(coast) or drive.is_stuck:
+                return speed
             if message.step != obeyed:
                 obeyed, obeyed_at = message.step, now
             if now - obeyed_at > self._patience.obey:
@@ -194,6 +219,14 @@ class BridgeLink:
     def _asked(self, action: dict[str, object]) -> Iterator[RobotState]:
         for message in self._channel.ask(action):
             yield message.state
+
+
+def _ahead(speed: float) -> dict[str, float]:
+    return {"v": speed, "w": 0.0}
+
+
+def _round(speed: float) -> dict[str, float]:
+    return {"v": 0.0, "w": speed}
 
 
 def _stands_still(one: StateMessage, other: StateMessage) -> bool:

@@ -57,7 +57,7 @@ class StretchRobot:
         """
         self._link, self._limits = link, limits
         self._watchers, self._announce = tuple(watchers), announce
-        self._joints, self._is_closed, self._count = Joints(0.0, 0.0), False, 0
+        self._joints, self._is_closed, self._is_holding, self._count = Joints(0.0, 0.0), False, False, 0
         self.fence: Fence | None = None
 
     def reset(self) -> Observation:
@@ -88,7 +88,7 @@ class StretchRobot:
         if self.fence is None:
             raise InvalidInputError("the robot has not begun; call reset() before the first step")
         with _Halting(self._link):
-            self._do(motions_of(wanted, self._joints))
+            self._do(self._motions(wanted))
             self._count += 1
             return self._observation(self._look())
 
@@ -96,6 +96,13 @@ class StretchRobot:
         """Stop, and let go of the robot."""
         self._link.halt()
         self._link.close()
+
+    def _motions(self, action: Action) -> tuple[Motion, ...]:
+        """Return what an action comes to; a gripper that has closed on nothing is opened before it closes again."""
+        motions = motions_of(action, self._joints)
+        if motions == (Grip(closed=True),) and self._is_closed and not self._is_holding:
+            return (Grip(closed=False), *motions)
+        return motions
 
     def _do(self, motions: Iterable[Motion]) -> None:
         """Make motions; where the robot falls silent and comes back, what is left of them is not made."""
@@ -151,6 +158,7 @@ class StretchRobot:
     def _observation(self, view: View) -> Observation:
         self._watch(view.state)
         self._joints = view.state.joints  # an agent reckons from what it saw
+        self._is_holding = self._is_closed and view.state.gripper > HOLDS_FROM
         to_start = invert_transform(self._start.matrix()) @ view.camera_to_world
         to_start[3] = (0.0, 0.0, 0.0, 1.0)
         to_start.flags.writeable = False
@@ -161,7 +169,7 @@ class StretchRobot:
             camera_to_start=to_start,
             base_to_start=self._start.inverse().compose(view.state.base),
             joints=clamp_joints(view.state.joints),
-            is_holding=self._is_closed and view.state.gripper > HOLDS_FROM,
+            is_holding=self._is_holding,
             step=self._count,
             truth=view.truth,
         )
