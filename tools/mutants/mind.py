@@ -133,8 +133,8 @@ _IMPROVEMENTS = (
     Mutant(
         "reach_out_pick does not look what is in the way",
         f"{_MIND}/manipulation/pick/reach_out_pick.py",
-        "if is_way_free and is_path_free(path, surroundings, load, self.sweep):",
-        "if True:",
+        "[path for path in self._paths(view) if is_path_free(path, everything, EMPTY_GRIPPER, self.sweep)]",
+        "[*self._paths(view)]",
         (_PICK_TESTS,),
     ),
     Mutant(
@@ -189,8 +189,8 @@ _IMPROVEMENTS = (
     Mutant(
         "class_thresholds are not read from the file",
         f"{_MIND}/perception/threshold_file.py",
-        '    data = json.loads(path.read_text(encoding="utf-8"))\n',
-        '    data = json.loads(THRESHOLD_FILE.read_text(encoding="utf-8"))\n',
+        'parse_json(path.read_text(encoding="utf-8"))',
+        'parse_json(THRESHOLD_FILE.read_text(encoding="utf-8"))',
         (_PERCEPTION_TESTS,),
     ),
     Mutant(
