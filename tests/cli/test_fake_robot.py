@@ -48,26 +48,50 @@ def test_a_rehearsal_has_a_row_for_each_drift_and_a_column_for_each_latency(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("COLUMNS", "200")
-    figures = tmp_path / "figures.json"
+    folder = tmp_path / "rehearsal"
     dials = ("--drift", "0", "0.05", "--latency", "0", "0.05", "--agility", "4", "--steps", "3")
-    assert call("rehearse", "--agent", "baseline", "--episodes", "1", *dials, "--out", str(figures)) == 0
+    assert call("rehearse", "--agent", "baseline", "--episodes", "1", *dials, "--out", str(folder)) == 0
     told = capsys.readouterr().out
     assert "latency 0.05 s" in told
     assert told.count("0 of 1 (0-79 %), 0 %") == 5
     assert told.count("0 unlike the simulator") == 4
-    written = json.loads(figures.read_text())
+    written = json.loads((folder / "rehearsal.json").read_text())
     settings = written["settings"]
-    assert [measures["num_steps"] for measures in written["simulator"]] == [3]
+    assert [run["measures"]["num_steps"] for run in written["simulator"]] == [3]
     tried = [(each["dials"]["drift"], each["dials"]["latency"]) for each in settings]
     assert tried == [(0.0, 0.0), (0.0, 0.05), (0.05, 0.0), (0.05, 0.05)]
     assert [s["runs"][0]["steps"] for s in settings] == [3, 3, 3, 3]
     assert settings[1]["runs"][0]["seconds"] > settings[0]["runs"][0]["seconds"]
 
 
-def test_a_rehearsal_over_sockets_says_so(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_rehearsal_goes_on_where_it_was_stopped_and_with_more_dials(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def rehearse(*more: str) -> int:
+        plain = ("--agent", "baseline", "--episodes", "1", "--latency", "0", "--agility", "4", "--out", str(tmp_path))
+        return call("rehearse", *plain, *more)
+
+    assert rehearse("--drift", "0", "0.05", "--steps", "3") == 0
+    journal = tmp_path / "rehearsed.jsonl"
+    whole = journal.read_bytes()
+    first, _, _ = whole.split(b"\n", 2)
+    journal.write_bytes(first.replace(b'"steps":3', b'"steps":99') + b"\n" + whole.splitlines()[1][:40])
+    assert rehearse("--drift", "0", "0.05", "0.1", "--steps", "3") == 0
+    lines = journal.read_text().splitlines()
+    assert json.loads(lines[0])["rehearsed"]["steps"] == 99  # what was played is not played again
+    assert [json.loads(line)["rehearsed"]["steps"] for line in lines[1:]] == [3, 3, 3]
+    assert [json.loads(line)["dials"] and json.loads(line)["dials"]["drift"] for line in lines] == [None, 0, 0.05, 0.1]
+    capsys.readouterr()
+    assert rehearse("--drift", "0", "--steps", "4") == 2
+    assert "holds a rehearsal of another configuration (steps was 3 and is now 4)" in capsys.readouterr().err
+
+
+def test_a_rehearsal_over_sockets_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setenv("COLUMNS", "200")
     dials = ("--drift", "0", "--latency", "0", "--agility", "4", "--steps", "3", "--over", "sockets")
-    assert call("rehearse", "--agent", "baseline", "--episodes", "1", *dials) == 0
+    assert call("rehearse", "--agent", "baseline", "--episodes", "1", *dials, "--out", str(tmp_path)) == 0
     told = capsys.readouterr().out
     assert "over sockets" in told
     assert "0 unlike the simulator" in told
@@ -84,7 +108,7 @@ def test_a_rehearsal_over_sockets_says_so(monkeypatch: pytest.MonkeyPatch, capsy
         (("rehearse", "--episodes", "0"), "--episodes must be at least 1"),
         (("rehearse", "--drift"), "need at least one number each"),
         (("rehearse", "--holes", "2"), "the dial holes must be from 0 to 0.9"),
-        (("rehearse", "--out", "figures.txt"), "must end in .json"),
+        (("rehearse", "--out", __file__), "cannot be written"),
     ],
 )
 def test_what_cannot_be_is_refused_in_a_sentence(

@@ -1,8 +1,9 @@
 """`uniteam rehearse`: what a robot's drift and latency cost, measured on fake robots."""
 
-import json
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping, Sequence
+from contextlib import closing
+from dataclasses import asdict
+from itertools import groupby
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -11,32 +12,30 @@ from rich.table import Table
 
 import uniteam
 from uniteam.cli.evaluate import check_at_least_one
+from uniteam.cli.perceptions import as_folder
 from uniteam.cli.progress import counting
 from uniteam.cli.terminal import make_console, shown
 from uniteam.errors import InvalidInputError
 from uniteam.evaluation import rehearsal
 from uniteam.evaluation.agent_spec import label_agents
+from uniteam.evaluation.configuration import Run, resolve
 from uniteam.evaluation.episode_choice import choose_episodes
 from uniteam.evaluation.rehearsal import Rehearsal, Rehearsed
 from uniteam.evaluation.results.intervals import estimate_proportion
+from uniteam.evaluation.results.rehearsals import RehearsalStore
 from uniteam.evaluation.worker import camera_named
-from uniteam.files import try_output, write_whole
+from uniteam.files import write_json
 from uniteam.world.fake.dials import Dials
 from uniteam.world.fake.joined import Join, in_lockstep, over_sockets
 from uniteam.world.simulation.simulator import Simulator
-from uniteam.world.task.measures import Measures
-from uniteam.world.task.splits import load_split
+from uniteam.world.task.episode import Episode, Split
+from uniteam.world.task.splits import load_split, split_label
 
 JOINS: dict[str, Join] = {"lockstep": in_lockstep, "sockets": over_sockets}
 """How an agent's body is joined to a fake robot, by the name that is typed."""
 
 
-@dataclass(frozen=True)
-class Cell:
-    """A setting of the dials, and what the episodes came to with it."""
-
-    dials: Dials
-    runs: tuple[Rehearsed, ...]
+FIGURES = "rehearsal.json"
 
 
 def rehearse(
@@ -57,12 +56,13 @@ def rehearse(
     with_: Annotated[tuple[str, ...], tyro.conf.arg(name="with")] = (),
     without: tuple[str, ...] = (),
     over: Literal["lockstep", "sockets"] = "lockstep",
-    out: Annotated[Path | None, tyro.conf.arg(metavar="FILE.json")] = None,
+    out: Annotated[Path | None, tyro.conf.arg(metavar="DIR")] = None,
 ) -> None:
     """Play episodes in the simulator, and on fake robots at pairs of a drift and a latency, and print how many succeed.
 
     The agent acts through the same messages, checks and motions as on a real Stretch, but time passes only while it is
-    waited for: a slow machine takes longer and finds the same. An episode takes a minute or more of computing.
+    waited for: a slow machine takes longer and finds the same. An episode takes a minute or more of computing. What
+    was played is kept: stop with Ctrl-C and give the same command again to go on, or give it with more numbers.
 
     Args:
         agent: Which agent: a name, or your own as MODULE:ATTRIBUTE.
@@ -85,7 +85,8 @@ def rehearse(
         without: Improvements to take from the agent, by name.
         over: What carries the messages: a call (lockstep), or four ports of this machine (sockets), which leave to
             chance in which moment a message arrives.
-        out: A .json file for the figures and each episode's end.
+        out: Directory of what each episode came to, and of the figures; runs/rehearsal-AGENT-SPLIT-PERCEPTION by
+            default.
     """
     check_at_least_one(episodes=episodes, steps=steps)
     if not drift or not latency:
@@ -93,59 +94,69 @@ def rehearse(
     settings = [Dials(late, far, depth_noise, holes, agility, image_hz, seed) for far in drift for late in latency]
     ((label, spec),) = label_agents((agent,), perception, with_, without).items()
     how = Rehearsal(spec, grasp, steps, JOINS[over])
-    if out is not None:
-        try_output(out, (".json",))
     console, episodes_of = make_console(), load_split(split)
     chosen = [episodes_of.episodes[index] for index in choose_episodes(episodes_of.episodes, episodes)]
-    cells: dict[Dials, list[Rehearsed]] = {dials: [] for dials in settings}
-    simulated: list[Measures] = []
-    with counting(console, "rehearsing", (1 + len(settings)) * len(chosen)) as advance:
-        for episode in chosen:
-            simulator = Simulator(episodes_of.homes[episode.home], camera_named(camera))
-            simulated.append(rehearsal.play_simulated(simulator, episode, how))
-            advance()
-            for dials in settings:
-                cells[dials].append(rehearsal.rehearse(simulator, episode, dials, how))
-                advance()
+    folder = out or Path("runs") / f"rehearsal-{as_folder(label)}-{split_label(split)}-{as_folder(perception)}"
+    resolved = resolve(Run(split, {label: spec}, perception, camera, grasp), episodes_of)
+    with closing(RehearsalStore(folder, {**resolved, "steps": steps, "over": over})) as store:
+        jobs = [(episode, dials) for episode in chosen for dials in (None, *settings)]
+        _play([job for job in jobs if (job[0].id, job[1]) not in store.known], store, episodes_of, camera, how)
+        simulated = [store.known[episode.id, None] for episode in chosen]
+        found = {dials: [store.known[episode.id, dials] for episode in chosen] for dials in settings}
     caption = (
         f"{label}, split {split}, {len(chosen)} episodes, perception {perception}, camera {camera}, grasp {grasp}, "
         f"agility {agility:g}, over {over}, uniteam {uniteam.__version__}; overall successes, 95 % interval, partial "
         "success, and how many episodes end unlike those in the simulator itself"
     )
-    console.print(_table([Cell(dials, tuple(runs)) for dials, runs in cells.items()], simulated, shown(caption)))
-    if out is not None:
-        _write(out, cells, simulated, caption)
-        console.print(f"Figures: {shown(out)}", soft_wrap=True)
+    console.print(_table(found, simulated, shown(caption)))
+    _write(folder / FIGURES, found, simulated, caption)
+    console.print(f"Figures: {shown(folder / FIGURES)}", soft_wrap=True)
 
 
-def _table(cells: Sequence[Cell], simulated: Sequence[Measures], caption: str) -> Table:
+def _play(
+    jobs: Sequence[tuple[Episode, Dials | None]], store: RehearsalStore, split: Split, camera: str, how: Rehearsal
+) -> None:
+    """Play episodes on fake robots, or in the simulator itself where there are no dials, and keep what they come to."""
+    with counting(make_console(), "rehearsing", len(jobs)) as advance:
+        for home, of_home in groupby(jobs, key=lambda job: job[0].home):
+            simulator = Simulator(split.homes[home], camera_named(camera))
+            for episode, dials in of_home:
+                if dials is None:
+                    rehearsed = rehearsal.play_simulated(simulator, episode, how)
+                else:
+                    rehearsed = rehearsal.rehearse(simulator, episode, dials, how)
+                store.append(episode.id, dials, rehearsed)
+                advance()
+
+
+def _table(found: Mapping[Dials, Sequence[Rehearsed]], simulated: Sequence[Rehearsed], caption: str) -> Table:
     """Return a row for the simulator, one for each drift, and a column for each latency."""
-    latencies = list(dict.fromkeys(cell.dials.latency for cell in cells))
+    latencies = dict.fromkeys(dials.latency for dials in found)
     table = Table("drift", *(f"latency {latency:g} s" for latency in latencies), caption=caption)
     table.add_row("the simulator itself", _share(simulated))
-    for drift in dict.fromkeys(cell.dials.drift for cell in cells):
-        row = (_words(cell, simulated) for cell in cells if cell.dials.drift == drift)
+    for drift in dict.fromkeys(dials.drift for dials in found):
+        row = (_words(runs, simulated) for dials, runs in found.items() if dials.drift == drift)
         table.add_row(f"{100 * drift:g} %", *row)
     return table
 
 
-def _words(cell: Cell, simulated: Sequence[Measures]) -> str:
-    measures = [run.measures for run in cell.runs]
-    pairs = zip(measures, simulated, strict=True)
-    differing = sum(one.overall_success != other.overall_success for one, other in pairs)
-    ended = sum(bool(run.ended_by) for run in cell.runs)
+def _words(runs: Sequence[Rehearsed], simulated: Sequence[Rehearsed]) -> str:
+    pairs = zip(runs, simulated, strict=True)
+    differing = sum(one.measures.overall_success != other.measures.overall_success for one, other in pairs)
+    ended = sum(bool(run.ended_by) for run in runs)
     stopped = f", {ended} stopped" if ended else ""
-    return f"{_share(measures)}, {differing} unlike the simulator{stopped}"
+    return f"{_share(runs)}, {differing} unlike the simulator{stopped}"
 
 
-def _share(measures: Sequence[Measures]) -> str:
-    successes, count = sum(one.overall_success for one in measures), len(measures)
+def _share(runs: Sequence[Rehearsed]) -> str:
+    successes, count = sum(run.measures.overall_success for run in runs), len(runs)
     interval = estimate_proportion(successes, count)
-    partial = sum(one.partial_success for one in measures) / count
+    partial = sum(run.measures.partial_success for run in runs) / count
     return f"{successes} of {count} ({100 * interval.low:.0f}-{100 * interval.high:.0f} %), {100 * partial:.0f} %"
 
 
-def _write(out: Path, cells: dict[Dials, list[Rehearsed]], simulated: Sequence[Measures], caption: str) -> None:
-    rows = [{"dials": asdict(dials), "runs": [asdict(run) for run in runs]} for dials, runs in cells.items()]
-    figures = {"caption": caption, "simulator": [asdict(one) for one in simulated], "settings": rows}
-    write_whole(out, (json.dumps(figures, indent=2) + "\n").encode())
+def _write(
+    path: Path, found: Mapping[Dials, Sequence[Rehearsed]], simulated: Sequence[Rehearsed], caption: str
+) -> None:
+    rows = [{"dials": asdict(dials), "runs": [asdict(run) for run in runs]} for dials, runs in found.items()]
+    write_json(path, {"caption": caption, "simulator": [asdict(run) for run in simulated], "settings": rows})

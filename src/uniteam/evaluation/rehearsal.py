@@ -38,12 +38,12 @@ class Rehearsal:
 
 @dataclass(frozen=True)
 class Rehearsed:
-    """What an episode on a fake robot came to.
+    """What an episode came to, on a fake robot or in the simulator.
 
     Attributes:
-        measures: those of the challenge; their steps are pictures.
+        measures: those of the challenge; on a robot their steps are pictures.
         steps: how many actions the agent took.
-        seconds: how long it took the robot.
+        seconds: how long it took the robot; 0 in the simulator, in which only steps count.
         ended_by: what ended the run before the agent did, in a sentence; empty where nothing did.
     """
 
@@ -74,10 +74,10 @@ def rehearse(simulator: Simulator, episode: Episode, dials: Dials, how: Rehearsa
     return Rehearsed(robot.measures, len(taken), robot.time, ended_by)
 
 
-def play_simulated(simulator: Simulator, episode: Episode, how: Rehearsal) -> Measures:
-    """Play one episode in the simulator itself, and return what it came to; takes what `rehearse` does."""
+def play_simulated(simulator: Simulator, episode: Episode, how: Rehearsal) -> Rehearsed:
+    """Play one episode in the simulator itself; takes what `rehearse` does, but for the dials."""
     rule, spec = grasp_rule_named(how.grasp), how.spec
     environment = Environment(simulator.home, episode, simulator.camera, spec.needs_truth, rule)
     task = Task(episode.instruction, episode.seed, min(how.most_steps, MAXIMUM_STEPS))
     act_in(environment, spec.make(environment), task)
-    return environment.measures
+    return Rehearsed(environment.measures, environment.measures.num_steps, 0.0, "")
