@@ -31,16 +31,12 @@ def nearest_to(home: Home, instance: Instance, bases: NDArray[np.float64]) -> tu
 
     Points with a wall in between do not count: it is infinitely far where there is no other.
     """
-    distances, points = distances_to(home, instance, bases), to_rectangle(home, instance, bases)
-    walled: set[Point2] = set()
-    for moment in np.argsort(distances, kind="stable").tolist():
-        (x, y), (u, v) = bases[moment].tolist(), points[moment].tolist()
-        if (x, y) in walled:
-            continue
-        if not is_wall_between(home, (x, y), (u, v), WALL_HEIGHT):
-            return moment, float(distances[moment])
-        walled.add((x, y))
-    return int(np.argmin(distances)), math.inf
+    distances = distances_to(home, instance, bases)
+    is_walled = walls_between(home, bases, to_rectangle(home, instance, bases), WALL_HEIGHT)
+    if is_walled.all():
+        return int(np.argmin(distances)), math.inf
+    moment = int(np.argmin(np.where(is_walled, math.inf, distances)))
+    return moment, float(distances[moment])
 
 
 def box_of(home: Home, name: str, pose: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -51,27 +47,34 @@ def box_of(home: Home, name: str, pose: NDArray[np.float64]) -> tuple[NDArray[np
 
 def is_wall_between(home: Home, one: Point2, other: Point2, height: float) -> bool:
     """Return whether the line between two points of the floor meets a wall at a height (m)."""
+    return bool(walls_between(home, np.array([one]), np.array([other]), height)[0])
+
+
+def walls_between(
+    home: Home, ones: NDArray[np.float64], others: NDArray[np.float64], height: float
+) -> NDArray[np.bool_]:
+    """Return (N,) whether the line between each two of (N, 2) points of the floor meets a wall at a height (m)."""
+    met = np.zeros(len(ones), dtype=np.bool_)
     for start, direction, box in wall_boxes(home.stage):
-        along = np.array([np.cos(direction), np.sin(direction)])
-        across = np.array([-along[1], along[0]])
-        ends = [(float((p - start) @ along), float((p - start) @ across)) for p in (np.array(one), np.array(other))]
-        if abs(height - box.center[2]) <= box.size[2] / 2 and _meets(ends[0], ends[1], box.center[0], box.size):
-            return True
-    return False
-
-
-def _meets(one: Point2, other: Point2, middle: float, size: tuple[float, float, float]) -> bool:
-    """Return whether a line meets the rectangle of a wall's box, in the wall's frame."""
-    low, high = 0.0, 1.0
-    for axis, centre in ((0, middle), (1, 0.0)):
-        begin, step, half = one[axis] - centre, other[axis] - one[axis], size[axis] / 2
-        if abs(step) < 1e-9:
-            if abs(begin) > half:
-                return False
+        if abs(height - box.center[2]) > box.size[2] / 2:
             continue
-        first, last = sorted(((-half - begin) / step, (half - begin) / step))
-        low, high = max(low, first), min(high, last)
-    return low <= high
+        c, s = np.cos(direction), np.sin(direction)
+        to_wall = np.array([[c, -s], [s, c]])
+        middle = np.array([box.center[0], 0.0])
+        met |= _meet((ones - start) @ to_wall - middle, (others - start) @ to_wall - middle, np.array(box.size[:2]) / 2)
+    return met
+
+
+def _meet(ones: NDArray[np.float64], others: NDArray[np.float64], half: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return (N,) whether lines between (N, 2) points meet the rectangle around the origin with (2,) half sides."""
+    steps = others - ones
+    is_level = np.abs(steps) < 1e-9
+    steps = np.where(is_level, 1.0, steps)
+    ends = np.stack([(-half - ones) / steps, (half - ones) / steps])
+    is_beside = is_level & (np.abs(ones) > half)
+    first, last = np.where(is_level, -np.inf, ends.min(axis=0)), np.where(is_level, np.inf, ends.max(axis=0))
+    overlaps = np.maximum(first.max(axis=1), 0.0) <= np.minimum(last.min(axis=1), 1.0)
+    return np.asarray(overlaps & ~is_beside.any(axis=1))
 
 
 def _in_own_frame(
