@@ -21,8 +21,8 @@ from uniteam.evaluation.agent_spec import label_agents
 from uniteam.evaluation.configuration import Run, resolve
 from uniteam.evaluation.episode_choice import choose_episodes
 from uniteam.evaluation.rehearsal import Rehearsal, Rehearsed
+from uniteam.evaluation.rehearsal_store import RehearsalStore
 from uniteam.evaluation.results.intervals import estimate_proportion
-from uniteam.evaluation.results.rehearsals import RehearsalStore
 from uniteam.evaluation.worker import camera_named
 from uniteam.files import write_json
 from uniteam.world.fake.dials import Dials
