@@ -100,7 +100,8 @@ def rehearse(
     resolved = resolve(Run(split, {label: spec}, perception, camera, grasp), episodes_of)
     with closing(RehearsalStore(folder, {**resolved, "steps": steps, "over": over})) as store:
         jobs = [(episode, dials) for episode in chosen for dials in (None, *settings)]
-        _play([job for job in jobs if (job[0].id, job[1]) not in store.known], store, episodes_of, camera, how)
+        if left := [job for job in jobs if (job[0].id, job[1]) not in store.known]:
+            _play(left, store, episodes_of, camera, how)
         simulated = [store.known[episode.id, None] for episode in chosen]
         found = {dials: [store.known[episode.id, dials] for episode in chosen] for dials in settings}
     caption = (
