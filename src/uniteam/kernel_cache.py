@@ -26,6 +26,7 @@ SOURCES = (
     "mind/mapping/projection.py",
     "mind/mapping/view_on_map.py",
     "mind/navigation/planning/bucket_queue.py",
+    "mind/perception/truth.py",
     "stretch.py",
     "world/oracle/true_paths.py",
     "world/rendering/kernels/culling.py",
